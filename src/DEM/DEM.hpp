@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// All that the gas coupling may include of the DEM library.
+#pragma once
+
+#include "contactModels/contactModel/contactModelTable.hpp"
+#include "materials/MaterialTable.hpp"
+#include "particles/errors.hpp"
+#include "reducedStiffness/ReducedStiffness.hpp"
+#include "system/System.hpp"

@@ -1,0 +1,435 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A contact law put together from its parts at compile time. What a part does not need is
+// neither stored, nor loaded, nor computed.
+//
+// One contact, n from i to j (into the wall):
+//     delta = r_i + r_j - |x_j - x_i|,           delta' = (v_i - v_j).n
+//     v_S = (v_i - v_j)_t + (r_i omega_i + r_j omega_j) x n
+//     force on i  = -(F_N + eta_N delta') n + F_T
+//     torque on i = r_i n x F_T - n x M_r + M_t n,  on j: r_j n x F_T + n x M_r - M_t n
+// r are the undeformed radii.
+#pragma once
+
+#include "contactModels/contactModel/ContactLaw.hpp"
+#include "contactModels/contactModel/Real.hpp"
+#include "contactModels/contactModel/none.hpp"
+
+#include <cmath>
+#include <cstring>
+#include <type_traits>
+
+namespace dem
+{
+
+template<class Normal, class Tangential, class Rolling, class Twisting>
+class Composite : public ContactLaw
+{
+    static constexpr bool spin = Tangential::on || Rolling::on || Twisting::on;
+
+    // Columns of constants and history, part by part
+    static constexpr int cT = Normal::nConstants;
+    static constexpr int cR = cT + Tangential::nConstants;
+    static constexpr int cW = cR + Rolling::nConstants;
+    static constexpr int nC = cW + Twisting::nConstants;
+    static constexpr int hT = 0;
+    static constexpr int hR = hT + Tangential::nHistory;
+    static constexpr int hW = hR + Rolling::nHistory;
+    static constexpr int nH = hW + Twisting::nHistory;
+    static_assert(nC <= maxConstants && nH <= maxHistory, "raise the maxima");
+    static_assert
+    (
+        Tangential::on || !Twisting::on, "the twisting limit needs the sliding limit"
+    );
+
+    struct Pair
+    {
+        typename Normal::Parameters n;
+        typename Tangential::Parameters t;
+        typename Rolling::Parameters r;
+        typename Twisting::Parameters w;
+    };
+    std::vector<Pair> pairs_;
+
+
+    template<class Real, class Get>
+    static Real gather(Get get)
+    {
+        if constexpr (std::is_same_v<Real, double>)
+        {
+            return get(0);
+        }
+        else
+        {
+            return Real([&](auto lane) { return get(int(lane)); });
+        }
+    }
+
+    template<class Real>
+    static V3<Real> gather3(const Body* const* b, double (Body::*member)[3])
+    {
+        return
+        {
+            gather<Real>([&](int l) { return (b[l]->*member)[0]; }),
+            gather<Real>([&](int l) { return (b[l]->*member)[1]; }),
+            gather<Real>([&](int l) { return (b[l]->*member)[2]; })
+        };
+    }
+
+    template<class Real>
+    static Real load(const double* p)
+    {
+        if constexpr (std::is_same_v<Real, double>)
+        {
+            return *p;
+        }
+        else
+        {
+            return Real(p, std::experimental::element_aligned);
+        }
+    }
+
+    template<class Real>
+    static void store(double* p, const Real& v)
+    {
+        if constexpr (std::is_same_v<Real, double>)
+        {
+            *p = v;
+        }
+        else
+        {
+            v.copy_to(p, std::experimental::element_aligned);
+        }
+    }
+
+    template<class Real>
+    static double lane(const Real& v, int l)
+    {
+        if constexpr (std::is_same_v<Real, double>)
+        {
+            (void)l;
+            return v;
+        }
+        else
+        {
+            return v[std::size_t(l)];
+        }
+    }
+
+
+    template<class Real, bool wall>
+    static bool evaluate
+    (
+        ContactList& list, std::size_t k,
+        const Body* bodies, Load* loads, double h, double sign
+    )
+    {
+        constexpr int width = std::is_same_v<Real, double> ? 1 : packWidth;
+
+        const Body* bi[width];
+        const Body* bj[width];
+        for (int l = 0; l < width; ++l)
+        {
+            bi[l] = bodies + list.i[k + std::size_t(l)];
+            if constexpr (!wall) bj[l] = bodies + list.j[k + std::size_t(l)];
+        }
+
+        // Geometry
+        const Real ri = gather<Real>([&](int l) { return bi[l]->r; });
+        Real rj(0);
+        V3<Real> n;
+        Real overlap;
+        V3<Real> v = gather3<Real>(bi, &Body::v);
+        if constexpr (wall)
+        {
+            n = {load<Real>(&list.nx[k]), load<Real>(&list.ny[k]), load<Real>(&list.nz[k])};
+            overlap = load<Real>(&list.overlap[k]);
+        }
+        else
+        {
+            rj = gather<Real>([&](int l) { return bj[l]->r; });
+            const V3<Real> d =
+                gather3<Real>(bj, &Body::x) - gather3<Real>(bi, &Body::x);
+            const Real distance = squareRoot(maximum(dot(d, d), Real(1e-290)));
+            n = (Real(1)/distance)*d;
+            overlap = ri + rj - distance;
+            store<Real>(&list.overlap[k], overlap);
+            v = v - gather3<Real>(bj, &Body::v);
+        }
+
+        Real c[nC > 0 ? nC : 1];
+        for (int a = 0; a < nC; ++a) c[a] = load<Real>(&list.constants[std::size_t(a)][k]);
+
+        // Normal
+        const auto normal = Normal::template evaluate<Real>(c, overlap);
+        const Real vn = dot(v, n);
+        const Real push = normal.elastic + normal.damping*vn;
+        V3<Real> force = (-push)*n;
+        V3<Real> torqueI{Real(0), Real(0), Real(0)};
+        V3<Real> torqueJ = torqueI;
+
+        if constexpr (spin)
+        {
+            const V3<Real> wi = gather3<Real>(bi, &Body::w);
+            const V3<Real> wiHalf = gather3<Real>(bi, &Body::wHalf);
+            V3<Real> wRel = wi;
+            V3<Real> wRelHalf = wiHalf;
+            V3<Real> arm = ri*wi;
+            V3<Real> armHalf = ri*wiHalf;
+            V3<Real> wSumHalf = wiHalf;
+            V3<Real> vHalf = gather3<Real>(bi, &Body::vHalf);
+            if constexpr (!wall)
+            {
+                const V3<Real> wj = gather3<Real>(bj, &Body::w);
+                const V3<Real> wjHalf = gather3<Real>(bj, &Body::wHalf);
+                wRel = wRel - wj;
+                wRelHalf = wRelHalf - wjHalf;
+                arm = arm + rj*wj;
+                armHalf = armHalf + rj*wjHalf;
+                wSumHalf = wSumHalf + wjHalf;
+                vHalf = vHalf - gather3<Real>(bj, &Body::vHalf);
+            }
+            const V3<Real> slipV = v - vn*n + cross(arm, n);
+            const V3<Real> slipHalf = vHalf - dot(vHalf, n)*n + cross(armHalf, n);
+
+            const Real step(h);
+            // a wall does not turn: the spring stays with it
+            const Real twistMean =
+                wall ? Real(0) : step*Real(0.5)*dot(wSumHalf, n);
+
+            Real slidingLimit(0);
+            if constexpr (Tangential::on)
+            {
+                V3<Real> xi
+                {
+                    load<Real>(&list.history[hT][k]),
+                    load<Real>(&list.history[hT + 1][k]),
+                    load<Real>(&list.history[hT + 2][k])
+                };
+                xi = turned(xi, n, twistMean);
+                const V3<Real> ft = Tangential::template evaluate<Real>
+                (
+                    c + cT, normal.elastic, normal.damping, normal.radius,
+                    step*slipHalf, slipV, xi
+                );
+                store<Real>(&list.history[hT][k], xi.x);
+                store<Real>(&list.history[hT + 1][k], xi.y);
+                store<Real>(&list.history[hT + 2][k], xi.z);
+                slidingLimit = Tangential::template limit<Real>(c + cT, normal.elastic);
+
+                force = force + ft;
+                const V3<Real> nxf = cross(n, ft);
+                torqueI = ri*nxf;
+                torqueJ = rj*nxf;
+            }
+
+            if constexpr (Rolling::on)
+            {
+                // (1/2)(r_i - r_j)/(r_i + r_j); -1/2 on a wall
+                const Real skew =
+                    wall ? Real(-0.5) : Real(0.5)*(ri - rj)/(ri + rj);
+                const Real R = c[cR + Rolling::nConstants - 1];
+                const V3<Real> rollV = R*cross(wRel, n) + skew*slipV;
+                const V3<Real> rollHalf = R*cross(wRelHalf, n) + skew*slipHalf;
+                V3<Real> xi
+                {
+                    load<Real>(&list.history[hR][k]),
+                    load<Real>(&list.history[hR + 1][k]),
+                    load<Real>(&list.history[hR + 2][k])
+                };
+                xi = turned(xi, n, twistMean);
+                const V3<Real> M = Rolling::template evaluate<Real>
+                (
+                    c + cR, normal.strength, step*rollHalf, rollV, xi
+                );
+                store<Real>(&list.history[hR][k], xi.x);
+                store<Real>(&list.history[hR + 1][k], xi.y);
+                store<Real>(&list.history[hR + 2][k], xi.z);
+                const V3<Real> nxm = cross(n, M);
+                torqueI = torqueI - nxm;
+                torqueJ = torqueJ + nxm;
+            }
+
+            if constexpr (Twisting::on)
+            {
+                Real xi = load<Real>(&list.history[hW][k]);
+                const Real moment = Twisting::template evaluate<Real>
+                (
+                    c + cW, normal.damping, normal.radius, slidingLimit,
+                    step*dot(wRelHalf, n), dot(wRel, n), xi
+                );
+                store<Real>(&list.history[hW][k], xi);
+                torqueI = torqueI + moment*n;
+                torqueJ = torqueJ - moment*n;
+            }
+        }
+
+        bool anyEnded = false;
+        for (int l = 0; l < width; ++l)
+        {
+            const std::size_t kl = k + std::size_t(l);
+            Load& fi = loads[list.i[kl]];
+            fi.f[0] += sign*lane(force.x, l);
+            fi.f[1] += sign*lane(force.y, l);
+            fi.f[2] += sign*lane(force.z, l);
+            if constexpr (spin)
+            {
+                fi.t[0] += sign*lane(torqueI.x, l);
+                fi.t[1] += sign*lane(torqueI.y, l);
+                fi.t[2] += sign*lane(torqueI.z, l);
+            }
+            if constexpr (!wall)
+            {
+                Load& fj = loads[list.j[kl]];
+                fj.f[0] -= sign*lane(force.x, l);
+                fj.f[1] -= sign*lane(force.y, l);
+                fj.f[2] -= sign*lane(force.z, l);
+                if constexpr (spin)
+                {
+                    fj.t[0] += sign*lane(torqueJ.x, l);
+                    fj.t[1] += sign*lane(torqueJ.y, l);
+                    fj.t[2] += sign*lane(torqueJ.z, l);
+                }
+            }
+            const bool over = lane(normal.remaining, l) < 0;
+            list.ended[kl] = over;
+            anyEnded = anyEnded || over;
+        }
+        return anyEnded;
+    }
+
+
+    template<bool wall>
+    static bool evaluateRange
+    (
+        ContactList& list, std::size_t begin, std::size_t end,
+        const Body* bodies, Load* loads, double h, double sign
+    )
+    {
+        bool anyEnded = false;
+        std::size_t k = begin;
+        for (; k + packWidth <= end; k += packWidth)
+        {
+            anyEnded |= evaluate<Pack, wall>(list, k, bodies, loads, h, sign);
+        }
+        for (; k < end; ++k)
+        {
+            anyEnded |= evaluate<double, wall>(list, k, bodies, loads, h, sign);
+        }
+        return anyEnded;
+    }
+
+
+public:
+
+    std::string name() const override
+    {
+        return
+            std::string(Normal::model) + "+" + Tangential::model + "+"
+          + Rolling::model + "+" + Twisting::model;
+    }
+
+    int nConstants() const override { return nC; }
+    int nHistory() const override { return nH; }
+    bool needsSpin() const override { return spin; }
+
+    int addPair(const ContactSettings& s) override
+    {
+        pairs_.push_back
+        ({
+            Normal::read({"normal", s.normal, Normal::keywords()}),
+            Tangential::read({"tangential", s.tangential, Tangential::keywords()}),
+            Rolling::read({"rolling", s.rolling, Rolling::keywords()}),
+            Twisting::read({"twisting", s.twisting, Twisting::keywords()})
+        });
+        return int(pairs_.size()) - 1;
+    }
+
+    void prepare(int pair, const ContactScale& s, double* c) const override
+    {
+        const Pair& p = pairs_[std::size_t(pair)];
+        const double strength = Normal::pullOff(s.pair.resistanceGamma, s.R);
+        const double a0 = Normal::equilibriumRadius
+        (
+            s.pair.resistanceGamma, s.pair.realE*s.pair.resistanceChi, s.R
+        );
+        const double a0Soft =
+            Normal::equilibriumRadius(s.pair.gamma, s.pair.E, s.R);
+        const ResistanceScale resistance
+        {
+            strength,
+            Normal::slidingOffset(strength),
+            a0,
+            // without adhesion a grows as chi^(-1/5) at given impact
+            a0Soft > 0 ? a0/a0Soft : std::pow(s.pair.chi/s.pair.resistanceChi, 0.2)
+        };
+        const double dashRatio = Normal::tangentialDampingRatio(s.pair);
+
+        Normal::prepare(p.n, s, c);
+        if constexpr (Tangential::on)
+        {
+            Tangential::prepare(p.t, s, resistance, dashRatio, c + cT);
+        }
+        if constexpr (Rolling::on)
+        {
+            Rolling::prepare(p.r, s, resistance, c + cR);
+        }
+        if constexpr (Twisting::on)
+        {
+            Twisting::prepare(p.w, s, resistance, dashRatio, c + cW);
+        }
+    }
+
+    double pullOff(double gamma, double R) const override
+    {
+        return Normal::pullOff(gamma, R);
+    }
+
+    double reach(double gamma, double E, double R) const override
+    {
+        return gamma > 0 ? Normal::reach(gamma, E, R) : 0;
+    }
+
+    double equilibriumRadius(double gamma, double E, double R) const override
+    {
+        return Normal::equilibriumRadius(gamma, E, R);
+    }
+
+    double rollingYield(const double* c) const override
+    {
+        if constexpr (Rolling::on)
+        {
+            return c[cR]*c[cR + 1];
+        }
+        else
+        {
+            (void)c;
+            return 0;
+        }
+    }
+
+    NormalResponse<double> normalResponse(const double* c, double overlap) const override
+    {
+        return Normal::template evaluate<double>(c, overlap);
+    }
+
+    bool evaluatePairs
+    (
+        ContactList& list, std::size_t begin, std::size_t end,
+        const Body* bodies, Load* loads, double h, double sign
+    ) const override
+    {
+        return evaluateRange<false>(list, begin, end, bodies, loads, h, sign);
+    }
+
+    bool evaluateWalls
+    (
+        ContactList& list, std::size_t begin, std::size_t end,
+        const Body* bodies, Load* loads, double h, double sign
+    ) const override
+    {
+        return evaluateRange<true>(list, begin, end, bodies, loads, h, sign);
+    }
+};
+
+}

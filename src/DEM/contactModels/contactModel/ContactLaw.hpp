@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A contact law as the rest of the library sees it: one virtual call per list of contacts.
+// The laws are composites of parts (Composite.hpp) made by newContactLaw().
+#pragma once
+
+#include "contactModels/contactModel/ContactScale.hpp"
+#include "contactModels/contactModel/NormalResponse.hpp"
+#include "contacts/ContactList.hpp"
+#include "materials/ContactSettings.hpp"
+
+#include <memory>
+#include <string>
+
+namespace dem
+{
+
+//- The most history values that any law keeps per contact
+inline constexpr int maxHistory = 8;
+//- The most constants that any law keeps per contact
+inline constexpr int maxConstants = 24;
+
+class ContactLaw
+{
+public:
+
+    virtual ~ContactLaw() = default;
+
+    //- e.g. "JKR+springDashpotSlider+springSlider+springDashpotSlider"
+    virtual std::string name() const = 0;
+
+    virtual int nConstants() const = 0;     // per contact
+    virtual int nHistory() const = 0;       // per contact
+    virtual bool needsSpin() const = 0;
+
+    //- Read the numbers of one pair of materials; returns its index in this law.
+    //  Errors: inputError
+    virtual int addPair(const ContactSettings& settings) = 0;
+
+    //- Constants of one contact of that pair
+    virtual void prepare(int pair, const ContactScale& s, double* constants) const = 0;
+
+    //- Pull-off force [N], longest neck [m], equilibrium radius [m]
+    virtual double pullOff(double gamma, double R) const = 0;
+    virtual double reach(double gamma, double E, double R) const = 0;
+    virtual double equilibriumRadius(double gamma, double E, double R) const = 0;
+
+    //- Moment at which rolling yields at A = 1 [N m]; 0 without rolling resistance
+    virtual double rollingYield(const double* constants) const = 0;
+
+    //- The normal part alone
+    virtual NormalResponse<double> normalResponse
+    (
+        const double* constants, double overlap
+    ) const = 0;
+
+    //- Add the loads of contacts [begin, end) to the bodies, times sign; springs move on by
+    //  the half-step velocities over h [s] (0: evaluate only). Sets ended[k] where a contact
+    //  has come to its end and returns whether any has.
+    virtual bool evaluatePairs
+    (
+        ContactList& list, std::size_t begin, std::size_t end,
+        const Body* bodies, Load* loads, double h, double sign
+    ) const = 0;
+
+    virtual bool evaluateWalls
+    (
+        ContactList& list, std::size_t begin, std::size_t end,
+        const Body* bodies, Load* loads, double h, double sign
+    ) const = 0;
+};
+
+//- Errors: inputError on unknown models or parts that cannot be combined
+std::unique_ptr<ContactLaw> newContactLaw(const ContactSettings& settings);
+
+}

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "materials/MaterialTable.hpp"
+
+namespace dem
+{
+
+//- What the constants of one contact are made from
+struct ContactScale
+{
+    const PairConstants& pair;
+    double R;               // effective radius [m]; wall: r_i
+    double m;               // effective mass [kg]; wall: m_i
+};
+
+//- The original strength of a contact, as the resistances use it
+struct ResistanceScale
+{
+    double pullOff;         // F_C from the surface energy of the limits [N]
+    double slidingOffset;   // added to F_N in the sliding limit: 2 F_C for JKR [N]
+    double a0;              // equilibrium radius of the unsoftened contact [m]
+    double radiusFactor;    // a of the limits over a of the softened contact [-]
+};
+
+}

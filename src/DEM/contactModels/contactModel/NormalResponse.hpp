@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace dem
+{
+
+//- What a normal law tells the other parts of a contact
+template<class Real>
+struct NormalResponse
+{
+    Real elastic;   // F_N [N], compressive positive, without damping
+    Real damping;   // eta_N [N s/m]
+    Real radius;    // radius that carries the sliding and twisting stiffness [m]
+    Real strength;  // (a/a0)^(3/2) [-], the growth of the rolling stiffness with load
+    Real remaining; // [m]; negative: the contact has ended
+};
+
+//- Adhesionless restitution e -> beta = |ln e|/sqrt(ln^2 e + pi^2)
+double dampingRatio(double restitution);
+
+}

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// How a part of a contact law reads its numbers.
+#pragma once
+
+#include "materials/ContactSettings.hpp"
+
+#include <string>
+#include <vector>
+
+namespace dem
+{
+
+//- Numbers of one part, with checks. `kind` is normal, tangential, rolling or twisting.
+class PartInput
+{
+public:
+
+    //- Errors: inputError on a keyword that is not in `known`
+    PartInput
+    (
+        std::string kind,
+        const PartSettings& settings,
+        const std::vector<std::string>& known
+    );
+
+    bool has(const std::string& keyword) const;
+
+    //- Errors: inputError where missing or outside [low, high]
+    double get(const std::string& keyword, double low, double high) const;
+
+    double getOr
+    (
+        const std::string& keyword, double low, double high, double otherwise
+    ) const;
+
+    //- beta of the dashpot, from `restitution` in (0, 1] or `dampingCoefficient` alpha
+    //  (beta = alpha/sqrt(5)); exactly one of the two must be given.
+    double dampingRatio() const;
+
+    const std::string& kind() const { return kind_; }
+
+private:
+
+    std::string kind_;
+    const PartSettings& settings_;
+};
+
+}

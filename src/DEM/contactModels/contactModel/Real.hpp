@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Contact laws are written once, for a number type Real: double, or Pack, which is as many
+// contacts side by side as the processor computes at once. So a law has no `if` on values:
+// select(condition, a, b) evaluates both and picks per contact; both sides must be safe to
+// evaluate (no division by zero, no root of a negative number: OpenFOAM traps them).
+#pragma once
+
+#include <cmath>
+#include <experimental/simd>
+
+namespace dem
+{
+
+using Pack = std::experimental::native_simd<double>;
+
+inline constexpr int packWidth = int(Pack::size());
+
+inline double select(bool c, double a, double b) { return c ? a : b; }
+
+inline Pack select(const Pack::mask_type& c, const Pack& a, const Pack& b)
+{
+    Pack r = b;
+    std::experimental::where(c, r) = a;
+    return r;
+}
+
+inline double maximum(double a, double b) { return a > b ? a : b; }
+inline Pack maximum(const Pack& a, const Pack& b)
+{
+    return std::experimental::max(a, b);
+}
+
+inline double minimum(double a, double b) { return a < b ? a : b; }
+inline Pack minimum(const Pack& a, const Pack& b)
+{
+    return std::experimental::min(a, b);
+}
+
+inline double squareRoot(double a) { return std::sqrt(a); }
+inline Pack squareRoot(const Pack& a) { return std::experimental::sqrt(a); }
+
+inline double magnitude(double a) { return std::fabs(a); }
+inline Pack magnitude(const Pack& a) { return std::experimental::abs(a); }
+
+//- Three Reals. Plain, so that the compiler keeps it in registers.
+template<class Real>
+struct V3
+{
+    Real x, y, z;
+
+    friend V3 operator+(const V3& a, const V3& b)
+    {
+        return {a.x + b.x, a.y + b.y, a.z + b.z};
+    }
+    friend V3 operator-(const V3& a, const V3& b)
+    {
+        return {a.x - b.x, a.y - b.y, a.z - b.z};
+    }
+    friend V3 operator*(const Real& s, const V3& a)
+    {
+        return {s*a.x, s*a.y, s*a.z};
+    }
+};
+
+template<class Real>
+inline Real dot(const V3<Real>& a, const V3<Real>& b)
+{
+    return a.x*b.x + a.y*b.y + a.z*b.z;
+}
+
+template<class Real>
+inline V3<Real> cross(const V3<Real>& a, const V3<Real>& b)
+{
+    return {a.y*b.z - a.z*b.y, a.z*b.x - a.x*b.z, a.x*b.y - a.y*b.x};
+}
+
+//- A spring in the contact plane after the pair has turned: tangential to the new normal n,
+//  of the same length, turned with the pair's mean spin about n by the angle twist [rad].
+template<class Real>
+inline V3<Real> turned(const V3<Real>& spring, const V3<Real>& n, const Real& twist)
+{
+    const V3<Real> t = spring + twist*cross(n, spring);
+    const V3<Real> p = t - dot(t, n)*n;
+    const Real before = dot(spring, spring);
+    const Real after = dot(p, p);
+    const Real tiny(1e-290);
+    const Real scale = squareRoot(maximum(before, tiny)/maximum(after, tiny));
+    return scale*p;
+}
+
+}

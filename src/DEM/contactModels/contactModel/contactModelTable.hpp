@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Names of the parts of a contact law and the keywords they take: what an input reader
+// needs to refuse unknown words with the list of known ones.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace dem
+{
+
+struct PartEntry
+{
+    std::string kind;                       // normal | tangential | rolling | twisting
+    std::string model;                      // keyword, file name and class name
+    std::vector<std::string> keywords;      // all that it reads
+};
+
+//- Every part that can be chosen
+const std::vector<PartEntry>& contactModelTable();
+
+}

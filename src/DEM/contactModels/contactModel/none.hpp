@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The empty part: no constants, no history, no arithmetic.
+#pragma once
+
+#include "contactModels/contactModel/PartInput.hpp"
+
+namespace dem
+{
+
+struct none
+{
+    static constexpr const char* model = "none";
+    static constexpr bool on = false;
+    static constexpr int nConstants = 0;
+    static constexpr int nHistory = 0;
+
+    static std::vector<std::string> keywords() { return {}; }
+
+    struct Parameters {};
+    static Parameters read(const PartInput&) { return {}; }
+};
+
+}

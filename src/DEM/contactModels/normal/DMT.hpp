@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// DMT: Hertz with a constant attraction, for small stiff particles (Tabor number < 0.1).
+//
+//     F_N = (4/3) E R^(1/2) delta^(3/2) - 4 pi R gamma,    a = (R delta)^(1/2)
+//
+// Starts and ends at delta = 0; pull-off force 4 pi R gamma (W = 2 gamma). Damping as Hertz.
+// Rolling grows with (a/a0)^(3/2), a0^3 = 3 pi gamma R^2/E the equilibrium radius.
+// Sliding limit mu (F_N + 4 pi R gamma): Coulomb's law on the Hertzian pressure.
+// Source: Derjaguin, Muller & Toporov 1975; physics.md section 2.
+// Keyword: normal { model DMT; restitution 0.86; }
+// Proof: tests/unit/DEM/contactLaws.cpp
+#pragma once
+
+#include "contactModels/normal/Hertz.hpp"
+
+namespace dem
+{
+namespace normal
+{
+
+struct DMT
+{
+    static constexpr const char* model = "DMT";
+    static constexpr bool adhesive = true;
+    static constexpr int nConstants = Hertz::nConstants + 2;
+
+    static std::vector<std::string> keywords() { return Hertz::keywords(); }
+
+    using Parameters = Hertz::Parameters;
+    static Parameters read(const PartInput& input) { return Hertz::read(input); }
+
+    static double pullOff(double gamma, double R) { return 4*M_PI*R*gamma; }
+    static double slidingOffset(double pullOff) { return pullOff; }
+    static double reach(double, double, double) { return 0; }
+    static double equilibriumRadius(double gamma, double E, double R)
+    {
+        return std::cbrt(3*M_PI*gamma*R*R/E);
+    }
+    static double tangentialDampingRatio(const PairConstants& p)
+    {
+        return Hertz::tangentialDampingRatio(p);
+    }
+
+    static void prepare(const Parameters& p, const ContactScale& s, double* c)
+    {
+        Hertz::prepare(p, s, c);
+        c[3] = pullOff(s.pair.gamma, s.R);
+        c[4] = 1/equilibriumRadius(s.pair.gamma, s.pair.E, s.R);
+    }
+
+    template<class Real>
+    static NormalResponse<Real> evaluate(const Real* c, const Real& overlap)
+    {
+        NormalResponse<Real> r = Hertz::evaluate(c, overlap);
+        const Real A = r.radius*c[4];
+        r.elastic = r.elastic - c[3];
+        r.strength = A*squareRoot(A);
+        return r;
+    }
+};
+
+}
+}

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Hertz: elastic spheres without adhesion.
+//
+//     F_N = (4/3) E R^(1/2) delta^(3/2),       a = (R delta)^(1/2)
+//     eta_N = 2 (5/6)^(1/2) beta (S_n m)^(1/2),  S_n = 2 E (R delta)^(1/2)
+//     beta = |ln e|/(ln^2 e + pi^2)^(1/2)
+//
+// E [Pa] effective modulus, R [m], m [kg] effective radius and mass, delta [m] overlap,
+// e [-] restitution, reproduced exactly at every speed.
+// Source: Haervig et al. 2017, eq. 9-13 (with the square root on 5/6 that some prints lose).
+// Valid: gamma = 0; delta << R.
+// Keyword: normal { model Hertz; restitution 0.86; }  (or dampingCoefficient, see JKR)
+// Proof: tests/unit/DEM/contactLaws.cpp, tests/verification/restitution
+#pragma once
+
+#include "contactModels/contactModel/ContactScale.hpp"
+#include "contactModels/contactModel/NormalResponse.hpp"
+#include "contactModels/contactModel/PartInput.hpp"
+#include "contactModels/contactModel/Real.hpp"
+
+namespace dem
+{
+namespace normal
+{
+
+struct Hertz
+{
+    static constexpr const char* model = "Hertz";
+    static constexpr bool adhesive = false;
+    static constexpr int nConstants = 3;
+
+    static std::vector<std::string> keywords()
+    {
+        return {"restitution", "dampingCoefficient"};
+    }
+
+    struct Parameters { double beta; };
+
+    static Parameters read(const PartInput& input) { return {input.dampingRatio()}; }
+
+    static double pullOff(double, double) { return 0; }
+    static double slidingOffset(double) { return 0; }
+    static double reach(double, double, double) { return 0; }
+    static double equilibriumRadius(double, double, double) { return 0; }
+
+    //- eta_T/eta_N = (S_t/S_n)^(1/2) (Haervig et al. 2017, eq. 16)
+    static double tangentialDampingRatio(const PairConstants& p)
+    {
+        return std::sqrt(8*p.G/(2*p.E));
+    }
+
+    static void prepare(const Parameters& p, const ContactScale& s, double* c)
+    {
+        c[0] = s.R;
+        c[1] = 4.0/3.0*s.pair.E;
+        c[2] = 2*std::sqrt(5.0/6.0)*p.beta*std::sqrt(2*s.pair.E*s.m);
+    }
+
+    template<class Real>
+    static NormalResponse<Real> evaluate(const Real* c, const Real& overlap)
+    {
+        const Real d = maximum(overlap, Real(0));
+        const Real a = squareRoot(c[0]*d);
+        return {c[1]*a*d, c[2]*squareRoot(a), a, Real(0), overlap};
+    }
+};
+
+}
+}

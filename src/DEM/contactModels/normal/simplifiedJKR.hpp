@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Simplified JKR: the JKR force, but contact starts AND ends at delta = 0.
+//
+//     F_N as JKR for delta >= 0;  holds at most (8/9) F_C
+//     eta_N = 2 (5/6)^(1/2) beta (S_n m)^(1/2),  S_n = 2 E (R delta)^(1/2)
+//     sliding: S_t = 8 G (R delta)^(1/2), eta_T = 2 (5/6)^(1/2) beta (S_t m)^(1/2)
+//
+// Undamped it never sticks: not interchangeable with JKR.
+// Source: Haervig et al. 2017, eq. 5-13, 16.
+// Keyword: normal { model simplifiedJKR; restitution 0.86; }
+// Proof: tests/unit/DEM/contactLaws.cpp, tests/verification/pslRebound
+#pragma once
+
+#include "contactModels/normal/Hertz.hpp"
+#include "contactModels/normal/JKR.hpp"
+
+namespace dem
+{
+namespace normal
+{
+
+struct simplifiedJKR
+{
+    static constexpr const char* model = "simplifiedJKR";
+    static constexpr bool adhesive = true;
+    static constexpr int nConstants = 4;
+
+    static std::vector<std::string> keywords() { return Hertz::keywords(); }
+
+    using Parameters = Hertz::Parameters;
+    static Parameters read(const PartInput& input) { return Hertz::read(input); }
+
+    static double pullOff(double gamma, double R) { return JKR::pullOff(gamma, R); }
+    static double slidingOffset(double pullOff) { return JKR::slidingOffset(pullOff); }
+    static double reach(double, double, double) { return 0; }
+    static double equilibriumRadius(double gamma, double E, double R)
+    {
+        return JKR::equilibriumRadius(gamma, E, R);
+    }
+    static double tangentialDampingRatio(const PairConstants& p)
+    {
+        return Hertz::tangentialDampingRatio(p);
+    }
+
+    static void prepare(const Parameters& p, const ContactScale& s, double* c)
+    {
+        const double a0 = equilibriumRadius(s.pair.gamma, s.pair.E, s.R);
+        c[0] = s.R/(a0*a0);
+        c[1] = 4*pullOff(s.pair.gamma, s.R);
+        c[2] = s.R;
+        c[3] = 2*std::sqrt(5.0/6.0)*p.beta*std::sqrt(2*s.pair.E*s.m);
+    }
+
+    template<class Real>
+    static NormalResponse<Real> evaluate(const Real* c, const Real& overlap)
+    {
+        const Real d = maximum(overlap, Real(0));
+        const Real s = jkrCurve::rootOf(d*c[0] + Real(jkrCurve::neck));
+        const Real s3 = s*s*s;
+        const Real a = squareRoot(c[2]*d);
+        return {c[1]*(s3*s3 - s3), c[3]*squareRoot(a), a, s3, overlap};
+    }
+};
+
+}
+}

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Rolling: a spring in the contact plane whose displacement is capped.
+//
+//     M_r = k_r xi + eta_R v_L,   k_r = 4 F_C (a/a0)^(3/2) [N],   |xi| <= xi_crit
+//
+// xi [m] rolling displacement, with the rate
+//     v_L = R (omega_i - omega_j) x n + (1/2)((r_i - r_j)/(r_i + r_j)) v_S,
+// n from i to j (wall: r_j -> infinity). xi_crit = (a0/12) adhesionHysteresis (H17, eq. 18,
+// Krijt et al.) or criticalAngle R (C19, eq. 3c); F_C, a0 of the unsoftened contact, only
+// a/a0 from the softened one. eta_R [N s] is rollingDamping, default 0.
+// Without adhesion (F_C = 0) there is no resistance.
+// Source: Haervig et al. 2017, eq. 17-18; Chen, Liu & Li 2019, eq. 3c, 9.
+// Keyword: rolling { model springSlider; criticalAngle 0.0085; }
+//     or   rolling { model springSlider; adhesionHysteresis 0.4; }
+// Proof: tests/unit/DEM/contactLaws.cpp, tests/verification/rollingYield
+#pragma once
+
+#include "contactModels/contactModel/ContactScale.hpp"
+#include "contactModels/contactModel/PartInput.hpp"
+#include "contactModels/contactModel/Real.hpp"
+#include "particles/errors.hpp"
+
+namespace dem
+{
+namespace rolling
+{
+
+struct springSlider
+{
+    static constexpr const char* model = "springSlider";
+    static constexpr bool on = true;
+    static constexpr int nConstants = 4;
+    static constexpr int nHistory = 3;
+
+    static std::vector<std::string> keywords()
+    {
+        return {"criticalAngle", "adhesionHysteresis", "rollingDamping"};
+    }
+
+    struct Parameters
+    {
+        double criticalAngle = 0;       // [rad]; 0 = use the hysteresis
+        double adhesionHysteresis = 0;  // delta gamma/gamma [-]
+        double rollingDamping = 0;      // eta_R [N s]
+    };
+
+    static Parameters read(const PartInput& input)
+    {
+        if (input.has("criticalAngle") == input.has("adhesionHysteresis"))
+        {
+            throw inputError
+            (
+                "rolling/criticalAngle",
+                input.has("criticalAngle")
+              ? "given together with adhesionHysteresis" : "missing",
+                "either criticalAngle [rad] or adhesionHysteresis [-]"
+            );
+        }
+        return
+        {
+            input.getOr("criticalAngle", 0, 1, 0),
+            input.getOr("adhesionHysteresis", 0, 10, 0),
+            input.getOr("rollingDamping", 0, 1e6, 0)
+        };
+    }
+
+    static double criticalDisplacement
+    (
+        const Parameters& p, double R, const ResistanceScale& r
+    )
+    {
+        return p.criticalAngle > 0
+          ? p.criticalAngle*R
+          : p.adhesionHysteresis*r.a0/12;
+    }
+
+    static void prepare
+    (
+        const Parameters& p,
+        const ContactScale& s,
+        const ResistanceScale& r,
+        double* c
+    )
+    {
+        c[0] = 4*r.pullOff;
+        c[1] = criticalDisplacement(p, s.R, r);
+        c[2] = p.rollingDamping;
+        c[3] = s.R;
+    }
+
+    //- The vector M with torque on i = -n x M [N m]
+    template<class Real>
+    static V3<Real> evaluate
+    (
+        const Real* c,
+        const Real& strength,
+        const V3<Real>& roll,           // moved on this step [m]
+        const V3<Real>& rollVelocity,
+        V3<Real>& xi
+    )
+    {
+        xi = xi + roll;
+        const Real size = squareRoot(maximum(dot(xi, xi), Real(1e-290)));
+        xi = select(size > c[1], c[1]/size, Real(1))*xi;
+        return (c[0]*strength)*xi + c[2]*rollVelocity;
+    }
+};
+
+}
+}

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Sliding: spring, dashpot and slider in the contact plane.
+//
+//     F_T = -k_T xi - eta_T v_S,    k_T = 8 G a,    |F_T| <= mu |F_N + 2 F_C|
+//
+// xi [m] is the sliding displacement, v_S [m/s] the slip velocity of the two surfaces,
+// G [Pa] the effective shear modulus, a [m] the radius that the normal law gives, eta_T the
+// dashpot that the normal law gives, mu [-] the friction coefficient, F_N the elastic normal
+// force, F_C the pull-off force of the unsoftened contact. Where the limit is reached the
+// stored displacement is cut back too, so that F_T keeps its direction and unloads at once.
+// Source: Haervig et al. 2017, eq. 14-16; Chen, Liu & Li 2019, eq. 3a, 8.
+// Keyword: tangential { model springDashpotSlider; friction 0.3; }
+// Proof: tests/unit/DEM/contactLaws.cpp, tests/verification/slipToRoll
+#pragma once
+
+#include "contactModels/contactModel/ContactScale.hpp"
+#include "contactModels/contactModel/PartInput.hpp"
+#include "contactModels/contactModel/Real.hpp"
+
+namespace dem
+{
+namespace tangential
+{
+
+struct springDashpotSlider
+{
+    static constexpr const char* model = "springDashpotSlider";
+    static constexpr bool on = true;
+    static constexpr int nConstants = 4;
+    static constexpr int nHistory = 3;
+
+    static std::vector<std::string> keywords() { return {"friction"}; }
+
+    struct Parameters { double friction = 0; };
+
+    static Parameters read(const PartInput& input)
+    {
+        return {input.get("friction", 0, 10)};
+    }
+
+    static void prepare
+    (
+        const Parameters& p,
+        const ContactScale& s,
+        const ResistanceScale& r,
+        double dampingRatio,    // eta_T/eta_N
+        double* c
+    )
+    {
+        c[0] = 8*s.pair.G;
+        c[1] = dampingRatio;
+        c[2] = p.friction;
+        c[3] = r.slidingOffset;
+    }
+
+    //- mu |F_N + 2 F_C| [N]
+    template<class Real>
+    static Real limit(const Real* c, const Real& elastic)
+    {
+        return c[2]*magnitude(elastic + c[3]);
+    }
+
+    //- Force on i [N]; xi is moved on by slip [m] and cut back at the limit
+    template<class Real>
+    static V3<Real> evaluate
+    (
+        const Real* c,
+        const Real& elastic,
+        const Real& damping,
+        const Real& radius,
+        const V3<Real>& slip,
+        const V3<Real>& slipVelocity,
+        V3<Real>& xi
+    )
+    {
+        const Real k = c[0]*radius;
+        const Real eta = c[1]*damping;
+        xi = xi + slip;
+        const V3<Real> dash = eta*slipVelocity;
+        const V3<Real> trial = k*xi + dash;
+        const Real cap = limit(c, elastic);
+        const Real size = squareRoot(maximum(dot(trial, trial), Real(1e-290)));
+        const auto slides = size > cap;
+        const Real cut = select(slides, cap/size, Real(1));
+        const V3<Real> held = cut*trial;
+        // k = 0 only at first touch of laws without a neck, where xi = 0 as well
+        const Real invK = Real(1)/maximum(k, Real(1e-290));
+        const Real keep = select(slides && k > Real(0), Real(1), Real(0));
+        xi = (Real(1) - keep)*xi + keep*(invK*(held - dash));
+        return Real(-1)*held;
+    }
+};
+
+}
+}

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Twisting: spring, dashpot and slider about the line of centres.
+//
+//     M_t = -k_Q xi - eta_Q omega_T,   k_Q = k_T a^2/2,  eta_Q = eta_T a^2/2
+//     |M_t| <= (3 pi/16) a F_S,crit,   F_S,crit = mu |F_N + 2 F_C| of the sliding part
+//
+// xi [rad] twist, omega_T = (omega_i - omega_j).n [rad/s]. The radius in the limit is that of
+// the unsoftened contact. Needs a sliding part.
+// Source: Chen, Liu & Li 2019, eq. 3b, 10; Marshall 2009.
+// Keyword: twisting { model springDashpotSlider; }
+// Proof: tests/unit/DEM/contactLaws.cpp
+#pragma once
+
+#include "contactModels/contactModel/ContactScale.hpp"
+#include "contactModels/contactModel/PartInput.hpp"
+#include "contactModels/contactModel/Real.hpp"
+
+namespace dem
+{
+namespace twisting
+{
+
+struct springDashpotSlider
+{
+    static constexpr const char* model = "springDashpotSlider";
+    static constexpr bool on = true;
+    static constexpr int nConstants = 3;
+    static constexpr int nHistory = 1;
+
+    static std::vector<std::string> keywords() { return {}; }
+
+    struct Parameters {};
+    static Parameters read(const PartInput&) { return {}; }
+
+    static void prepare
+    (
+        const Parameters&,
+        const ContactScale& s,
+        const ResistanceScale& r,
+        double dampingRatio,
+        double* c
+    )
+    {
+        c[0] = 4*s.pair.G;              // k_Q = (8 G a) a^2/2
+        c[1] = 0.5*dampingRatio;
+        c[2] = 3*M_PI/16*r.radiusFactor;
+    }
+
+    //- Moment on i along n [N m]
+    template<class Real>
+    static Real evaluate
+    (
+        const Real* c,
+        const Real& damping,
+        const Real& radius,
+        const Real& slidingLimit,
+        const Real& twist,              // moved on this step [rad]
+        const Real& twistRate,
+        Real& xi
+    )
+    {
+        const Real a2 = radius*radius;
+        const Real k = c[0]*radius*a2;
+        const Real dash = c[1]*damping*a2*twistRate;
+        xi = xi + twist;
+        const Real trial = k*xi + dash;
+        const Real cap = c[2]*radius*slidingLimit;
+        const Real held = maximum(-cap, minimum(cap, trial));
+        const auto slides = magnitude(trial) > cap && k > Real(0);
+        xi = select(slides, (held - dash)/maximum(k, Real(1e-290)), xi);
+        return -held;
+    }
+};
+
+}
+}

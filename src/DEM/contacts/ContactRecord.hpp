@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "contactModels/contactModel/ContactLaw.hpp"
+
+#include <cstdint>
+
+namespace dem
+{
+
+//- A contact between particle steps: what travels with its lower particle
+struct ContactRecord
+{
+    std::int64_t idJ;               // partner; -1 = wall
+    int wall;                       // wall patch; -1 = pair
+    double n[3];                    // last normal into the wall (wall only)
+    double history[maxHistory];
+};
+
+//- What is remembered of a particle's contacts and rest
+struct RestState
+{
+    bool inContact = false;
+    bool resting = false;
+    double quietTime = 0;   // [s] for how long it has met the sleep criterion
+    double force[3] = {};   // gas force at rest when it fell asleep [N]
+    double wakeForce = 0;   // change of that force which wakes it [N]
+};
+
+}

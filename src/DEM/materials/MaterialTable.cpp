@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "materials/MaterialTable.hpp"
+
+#include "contactModels/contactModel/ContactLaw.hpp"
+#include "contactModels/contactModel/none.hpp"
+#include "particles/errors.hpp"
+#include "timeIntegration/contactPeriod.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace dem
+{
+
+namespace
+{
+
+std::string text(double v)
+{
+    std::ostringstream s;
+    s << "is " << v;
+    return s.str();
+}
+
+void check(const Material& m)
+{
+    const std::string at = "materials/" + m.name + "/";
+    if (!(m.density >= 0 && std::isfinite(m.density)))
+    {
+        throw inputError(at + "density", text(m.density), "a positive number [kg/m3]");
+    }
+    if (!(m.youngsModulus > 0 && std::isfinite(m.youngsModulus)))
+    {
+        throw inputError
+        (
+            at + "youngsModulus", text(m.youngsModulus), "a positive number [Pa]"
+        );
+    }
+    if (!(m.poissonRatio > -1 && m.poissonRatio <= 0.5))
+    {
+        throw inputError
+        (
+            at + "poissonRatio", text(m.poissonRatio), "above -1, at most 0.5"
+        );
+    }
+    if (!(m.surfaceEnergy >= 0 && std::isfinite(m.surfaceEnergy)))
+    {
+        throw inputError
+        (
+            at + "surfaceEnergy", text(m.surfaceEnergy), "zero or positive [J/m2]"
+        );
+    }
+}
+
+}
+
+
+MaterialTable::MaterialTable
+(
+    std::vector<Material> materials,
+    ContactSettings defaults,
+    std::map<std::string, ContactSettings> overrides,
+    ReducedStiffness softening
+)
+:
+    materials_(std::move(materials)),
+    softening_(softening)
+{
+    for (const Material& m : materials_) check(m);
+
+    const double chi = softening_.ratio;
+    if (!(chi > 0 && chi <= 1))
+    {
+        throw inputError("reducedStiffness/ratio", text(chi), "above 0, at most 1");
+    }
+
+    const std::size_t n = materials_.size();
+    constants_.resize(n*n);
+    settings_.resize(n*n);
+    names_.resize(n*n);
+    lawIndex_.resize(n*n);
+    std::vector<std::shared_ptr<ContactLaw>> laws;
+
+    for (std::size_t i = 0; i < n; ++i)
+    {
+        for (std::size_t j = i; j < n; ++j)
+        {
+            const Material& a = materials_[i];
+            const Material& b = materials_[j];
+            const std::string ab = a.name + "." + b.name;
+            const std::string ba = b.name + "." + a.name;
+
+            ContactSettings s = defaults;
+            for (const std::string& key : {ab, ba})
+            {
+                const auto found = overrides.find(key);
+                if (found != overrides.end())
+                {
+                    s = found->second;
+                    overrides.erase(found);
+                }
+            }
+
+            const auto compliance = [](const Material& m)
+            {
+                return (1 - m.poissonRatio*m.poissonRatio)/m.youngsModulus;
+            };
+            const auto shearCompliance = [](const Material& m)
+            {
+                return
+                    (2 - m.poissonRatio)*2*(1 + m.poissonRatio)/m.youngsModulus;
+            };
+            const double mixedE = 1/(compliance(a) + compliance(b));
+            const double mixedG = 1/(shearCompliance(a) + shearCompliance(b));
+
+            PairConstants c;
+            c.realE = s.effectiveYoungsModulus.value_or(mixedE);
+            c.realGamma =
+                s.surfaceEnergy.value_or(std::sqrt(a.surfaceEnergy*b.surfaceEnergy));
+            if (!(c.realE > 0))
+            {
+                throw inputError
+                (
+                    "contact/" + ab + "/effectiveYoungsModulus",
+                    text(c.realE), "a positive number [Pa]"
+                );
+            }
+            if (!(c.realGamma >= 0))
+            {
+                throw inputError
+                (
+                    "contact/" + ab + "/surfaceEnergy",
+                    text(c.realGamma), "zero or positive [J/m2]"
+                );
+            }
+            c.chi = chi;
+            c.E = chi*c.realE;
+            c.G = chi*mixedG*c.realE/mixedE;
+            c.gamma = softening_.surfaceEnergyFactor()*c.realGamma;
+            c.resistanceGamma = softening_.scaleResistance ? c.gamma : c.realGamma;
+            c.resistanceChi = softening_.scaleResistance ? chi : 1;
+
+            // Without adhesion every normal law is Hertz, and nothing resists rolling
+            if (c.realGamma == 0)
+            {
+                newContactLaw(s);   // its names are still checked
+                s.normal.model = "Hertz";
+                s.rolling = PartSettings();
+            }
+
+            std::unique_ptr<ContactLaw> law = newContactLaw(s);
+            std::size_t l = 0;
+            while (l < laws.size() && laws[l]->name() != law->name()) ++l;
+            if (l == laws.size()) laws.push_back(std::move(law));
+
+            try
+            {
+                // every pair, in either order, gets its own numbers
+                const int entry = laws[l]->addPair(s);
+                for (const std::size_t k : {i*n + j, j*n + i})
+                {
+                    constants_[k] = c;
+                    settings_[k] = s;
+                    names_[k] = ab;
+                    lawIndex_[k] = int(l);
+                    pairInLaw_.resize(n*n);
+                    pairInLaw_[k] = entry;
+                }
+            }
+            catch (const inputError& e)
+            {
+                throw inputError
+                (
+                    "contact/" + ab + "/" + e.keyword, e.reason, e.allowed
+                );
+            }
+        }
+    }
+
+    if (!overrides.empty())
+    {
+        std::string list;
+        for (const std::string& name : names_)
+        {
+            if (list.find(name) == std::string::npos)
+            {
+                list += (list.empty() ? "" : " ") + name;
+            }
+        }
+        throw inputError
+        (
+            "contact/" + overrides.begin()->first, "no such pair of materials", list
+        );
+    }
+
+    laws_.assign(laws.begin(), laws.end());
+}
+
+
+int MaterialTable::index(const std::string& name) const
+{
+    std::string list;
+    for (std::size_t i = 0; i < materials_.size(); ++i)
+    {
+        if (materials_[i].name == name) return int(i);
+        list += (list.empty() ? "" : " ") + materials_[i].name;
+    }
+    throw inputError(name, "no such material", list);
+}
+
+
+ContactFigures MaterialTable::figures
+(
+    int i, int j, double ri, double rj, double mi, double mj, double speed
+) const
+{
+    const PairConstants& p = constants(i, j);
+    const ContactLaw& law = *laws_[std::size_t(lawIndex(i, j))];
+
+    ContactFigures f;
+    f.R = rj > 0 ? ri*rj/(ri + rj) : ri;
+    f.m = rj > 0 ? mi*mj/(mi + mj) : mi;
+    f.pullOff = law.pullOff(p.gamma, f.R);
+    f.realPullOff = law.pullOff(p.realGamma, f.R);
+    f.a0 = law.equilibriumRadius(p.gamma, p.E, f.R);
+    f.delta0 = f.a0*f.a0/(3*f.R);
+    f.deltaC = law.reach(p.gamma, p.E, f.R);
+    constexpr double atomic = 1.65e-10;     // D_min [m]
+    f.tabor = std::cbrt
+    (
+        4*f.R*p.realGamma*p.realGamma/(p.realE*p.realE*atomic*atomic*atomic)
+    );
+    const bool sliding = settings(i, j).tangential.model != none::model;
+    f.period = contactPeriod(p, f.R, f.m, f.a0, 0, speed, sliding);
+    f.impactOverlap = impactOverlap(p.E, f.R, f.m, speed);
+    f.impactTime = speed > 0 ? 2.94327*f.impactOverlap/speed : 0;
+    return f;
+}
+
+
+double MaterialTable::reach(int material, double radius) const
+{
+    double longest = 0;
+    for (int j = 0; j < int(materials_.size()); ++j)
+    {
+        // the neck grows with R^(1/3); R is largest on a wall
+        const PairConstants& p = constants(material, j);
+        longest = std::max
+        (
+            longest,
+            laws_[std::size_t(lawIndex(material, j))]->reach(p.gamma, p.E, radius)
+        );
+    }
+    return longest;
+}
+
+}

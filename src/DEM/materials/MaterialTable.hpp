@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Materials, and for every pair of them the constants and the contact law, all worked out
+// once. Pairs are unordered: (i, j) and (j, i) are the same entry.
+#pragma once
+
+#include "materials/ContactSettings.hpp"
+#include "materials/Material.hpp"
+#include "reducedStiffness/ReducedStiffness.hpp"
+
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace dem
+{
+
+class ContactLaw;
+
+//- Constants of a pair of materials; E and gamma appear as softened and as real
+struct PairConstants
+{
+    double E;               // effective modulus, chi applied [Pa]
+    double G;               // effective shear modulus, chi applied [Pa]
+    double gamma;           // surface energy of one surface, softened [J/m2]
+    double realE;           // [Pa], chi = 1
+    double realGamma;       // [J/m2], chi = 1
+    double chi;             // E/realE
+    double resistanceGamma; // gamma from which rolling and sliding limits are made [J/m2]
+    double resistanceChi;   // chi of the radius in rolling and twisting limits
+};
+
+//- Dimensional figures of one contact, for tables and checks
+struct ContactFigures
+{
+    double R, m;            // effective radius [m], mass [kg]
+    double pullOff;         // F_C = 3 pi R gamma as softened [N] (DMT: 4 pi R gamma)
+    double realPullOff;     // at chi = 1 [N]
+    double a0, delta0, deltaC;  // equilibrium contact radius and overlap, neck length [m]
+    double tabor;           // lambda_T of the real material [-]
+    double period;          // shortest period at equilibrium or at impact speed v [s]
+    double impactTime;      // Hertz contact time at v [s]
+    double impactOverlap;   // Hertz peak overlap at v [m]
+};
+
+class MaterialTable
+{
+public:
+
+    //- overrides: key "a.b" (either order); complete settings that replace the defaults.
+    //  Errors: inputError on impossible numbers, unknown models or keywords, parts that
+    //  cannot be combined.
+    MaterialTable
+    (
+        std::vector<Material> materials,
+        ContactSettings defaults,
+        std::map<std::string, ContactSettings> overrides,
+        ReducedStiffness softening
+    );
+
+    const std::vector<Material>& materials() const { return materials_; }
+    int index(const std::string& name) const;   // Errors: inputError with the known names
+    const ReducedStiffness& softening() const { return softening_; }
+
+    const PairConstants& constants(int i, int j) const { return constants_[at(i, j)]; }
+    const ContactSettings& settings(int i, int j) const { return settings_[at(i, j)]; }
+    const std::string& pairName(int i, int j) const { return names_[at(i, j)]; }
+
+    //- The law of a pair: laws are shared by all pairs that combine the same parts
+    int lawIndex(int i, int j) const { return lawIndex_[at(i, j)]; }
+    int pairInLaw(int i, int j) const { return pairInLaw_[at(i, j)]; }
+    const std::vector<std::shared_ptr<const ContactLaw>>& laws() const { return laws_; }
+
+    //- Figures for radii ri, rj (rj <= 0: flat wall) and relative speed [m/s].
+    ContactFigures figures
+    (
+        int i, int j, double ri, double rj, double mi, double mj, double speed
+    ) const;
+
+    //- Farthest distance beyond touch at which some contact of a sphere of radius r can
+    //  still hold (the longest neck) [m]
+    double reach(int material, double radius) const;
+
+private:
+
+    std::size_t at(int i, int j) const
+    {
+        return std::size_t(i)*materials_.size() + std::size_t(j);
+    }
+
+    std::vector<Material> materials_;
+    ReducedStiffness softening_;
+    std::vector<PairConstants> constants_;
+    std::vector<ContactSettings> settings_;
+    std::vector<std::string> names_;
+    std::vector<int> lawIndex_;
+    std::vector<int> pairInLaw_;
+    std::vector<std::shared_ptr<const ContactLaw>> laws_;
+};
+
+}

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "particles/vector.hpp"
+
+namespace dem
+{
+
+//- Gas and body force on one particle, frozen for one particle step:
+//      force = Sp (Uc - v) + Su   [N],     torque = SpOmega (omegaC - omega)   [N m]
+struct GasLoad
+{
+    double Sp = 0;              // [kg/s] >= 0; relaxation time tau_p = m/Sp
+    Vec3 Uc = Vec3::Zero();     // gas velocity at the particle [m/s]
+    Vec3 Su = Vec3::Zero();     // [N]
+    double SpOmega = 0;         // [N m s] >= 0; Stokes: 8 pi mu r^3
+    Vec3 omegaC = Vec3::Zero(); // half the gas vorticity [rad/s]
+};
+
+}

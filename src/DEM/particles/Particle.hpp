@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "particles/vector.hpp"
+
+#include <cstdint>
+
+namespace dem
+{
+
+//- A sphere
+struct Particle
+{
+    std::int64_t id;        // unique over all ranks and for ever, >= 0
+    int material;           // index into MaterialTable::materials()
+    double radius;          // [m]
+    double mass;            // [kg]
+    Vec3 x;                 // centre [m]
+    Vec3 v = Vec3::Zero();      // [m/s]
+    Vec3 omega = Vec3::Zero();  // spin [rad/s]
+};
+
+}

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "system/StepReport.hpp"
+
+#include <algorithm>
+
+namespace dem
+{
+
+void StepReport::add(const StepReport& o)
+{
+    contactSteps += o.contactSteps;
+    contactUpdates += o.contactUpdates;
+    islands += o.islands;
+    freeFlights += o.freeFlights;
+    touches += o.touches;
+    separations += o.separations;
+    sleeps += o.sleeps;
+    wakes += o.wakes;
+    resting = o.resting;
+    inContact = o.inContact;
+    maxOverlapOverDiameter =
+        std::max(maxOverlapOverDiameter, o.maxOverlapOverDiameter);
+    minStepsPerContact = std::min(minStepsPerContact, o.minStepsPerContact);
+    energyRemovedByRest += o.energyRemovedByRest;
+    secondsSearch += o.secondsSearch;
+    secondsContact += o.secondsContact;
+    secondsFlight += o.secondsFlight;
+}
+
+}

@@ -1,0 +1,1067 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "system/System.hpp"
+
+#include "contactModels/contactModel/ContactLaw.hpp"
+#include "contacts/ContactRecord.hpp"
+#include "contacts/clusterMargins.hpp"
+#include "neighbourSearch/BoxPairs.hpp"
+#include "neighbourSearch/DisjointSets.hpp"
+#include "particles/errors.hpp"
+#include "timeIntegration/IslandIntegrator.hpp"
+#include "timeIntegration/freeFlight.hpp"
+#include "walls/WallSearch.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <map>
+#include <unordered_map>
+
+namespace dem
+{
+
+namespace
+{
+
+using Clock = std::chrono::steady_clock;
+
+double since(Clock::time_point& start)
+{
+    const Clock::time_point now = Clock::now();
+    const double seconds = std::chrono::duration<double>(now - start).count();
+    start = now;
+    return seconds;
+}
+
+// Search boxes allow for speeds above the fastest member's: adhesion pulls partners together
+constexpr double speedMargin = 1.2;
+
+// Numbers per contact and per particle in a packed state
+constexpr std::size_t contactNumbers = 5 + maxHistory;
+constexpr std::size_t restNumbers = 7;
+
+}
+
+
+class System::Implementation
+{
+public:
+
+    Implementation(MaterialTable m, const TimeSettings& t, Communicator c)
+    :
+        materials(std::move(m)),
+        time(t),
+        communicator(c),
+        walls(Walls{}),
+        integrator(std::make_unique<IslandIntegrator>(materials, time, walls))
+    {
+        if (!(time.stepsPerContact >= 4))
+        {
+            throw inputError
+            (
+                "timeIntegration/stepsPerContact",
+                "is " + std::to_string(time.stepsPerContact),
+                "at least 4 (the scheme is stable above pi)"
+            );
+        }
+        if (!(time.restTolerance >= 0))
+        {
+            throw inputError
+            (
+                "timeIntegration/restTolerance",
+                "is " + std::to_string(time.restTolerance), "zero or positive"
+            );
+        }
+    }
+
+    std::size_t checked(std::size_t i) const
+    {
+        if (i >= particles.size())
+        {
+            throw inputError
+            (
+                "particle", "index " + std::to_string(i),
+                "below " + std::to_string(particles.size())
+            );
+        }
+        return i;
+    }
+
+    //- One particle with all that is remembered of it, as it travels between ranks
+    struct Member
+    {
+        Particle p;
+        GasLoad gas;
+        RestState rest;
+        std::vector<ContactRecord> contacts;
+        double half;        // half width of its search box beyond radius and reach [m]
+        int owner;
+        std::size_t index;  // on its owner
+        Vec3 impulse = Vec3::Zero();
+    };
+
+    struct Labels
+    {
+        std::vector<std::int64_t> component;    // by particle: lowest id
+        std::vector<double> speed;              // fastest member's bound [m/s]
+        std::vector<char> active;               // some member is awake
+        std::vector<char> shared;               // spans ranks
+        std::vector<char> alone;                // the only member
+        std::vector<int> home;                  // rank that moves it
+    };
+
+    Box box(std::size_t i, double half) const
+    {
+        const Particle& p = particles[i];
+        const double r = p.radius + reach[i] + half;
+        return {p.x.array() - r, p.x.array() + r};
+    }
+
+    //- Fastest that a particle can be in this step without contact forces [m/s]
+    double speedBound(std::size_t i, double dt) const
+    {
+        const Particle& p = particles[i];
+        const GasLoad& g = gas[i];
+        const FlightFactors f(g.Sp/p.mass, dt);
+        return p.v.norm() + (g.Sp*(g.Uc - p.v) + g.Su).norm()/p.mass*f.p1;
+    }
+
+    bool awake(std::size_t i) const
+    {
+        return !rest[i].resting || wakes(rest[i], gas[i]);
+    }
+
+    Labels label(const std::vector<double>& half, const std::vector<double>& bound) const;
+    void integrate(std::vector<Member>& members, double dt, StepReport& report);
+    StepReport advance(double dt);
+
+    Member member(std::size_t i, double half) const
+    {
+        return
+        {
+            particles[i], gas[i], rest[i], contacts[i], half,
+            communicator.rank(), i, Vec3::Zero()
+        };
+    }
+
+    void takeBack(const Member& m)
+    {
+        particles[m.index] = m.p;
+        rest[m.index] = m.rest;
+        contacts[m.index] = m.contacts;
+        impulse[m.index] = m.impulse;
+    }
+
+    static void pack(const Member& m, std::vector<double>& to);
+    static Member unpack(const double*& from);
+
+    //- Particles of other ranks that own particles have contacts with
+    std::unordered_map<std::int64_t, Particle> remotePartners() const;
+
+
+    MaterialTable materials;
+    TimeSettings time;
+    Communicator communicator;
+    WallSearch walls;
+    std::unique_ptr<IslandIntegrator> integrator;
+
+    std::vector<Particle> particles;
+    std::vector<GasLoad> gas;
+    std::vector<RestState> rest;
+    std::vector<Vec3> impulse;
+    std::vector<double> reach;
+    std::vector<std::vector<ContactRecord>> contacts;
+    std::unordered_map<std::int64_t, std::size_t> indexOf;
+    double now = 0;
+};
+
+
+// * * * * * * * * * * * * * * * * * Packing * * * * * * * * * * * * * * * * * * * * * * //
+
+namespace
+{
+
+void packRest
+(
+    const RestState& rest,
+    const std::vector<ContactRecord>& contacts,
+    std::vector<double>& to
+)
+{
+    to.insert
+    (
+        to.end(),
+        {
+            double(rest.inContact), double(rest.resting), rest.quietTime,
+            rest.force[0], rest.force[1], rest.force[2], rest.wakeForce
+        }
+    );
+    for (const ContactRecord& c : contacts)
+    {
+        to.push_back(double(c.idJ));
+        to.push_back(double(c.wall));
+        to.insert(to.end(), c.n, c.n + 3);
+        to.insert(to.end(), c.history, c.history + maxHistory);
+    }
+}
+
+void unpackRest
+(
+    const double* from,
+    std::size_t nContacts,
+    RestState& rest,
+    std::vector<ContactRecord>& contacts
+)
+{
+    rest.inContact = from[0] > 0;
+    rest.resting = from[1] > 0;
+    rest.quietTime = from[2];
+    std::copy(from + 3, from + 6, rest.force);
+    rest.wakeForce = from[6];
+    from += restNumbers;
+    contacts.resize(nContacts);
+    for (ContactRecord& c : contacts)
+    {
+        c.idJ = std::int64_t(from[0]);
+        c.wall = int(from[1]);
+        std::copy(from + 2, from + 5, c.n);
+        std::copy(from + 5, from + 5 + maxHistory, c.history);
+        from += contactNumbers;
+    }
+}
+
+}
+
+
+void System::Implementation::pack(const Member& m, std::vector<double>& to)
+{
+    const auto put = [&](const Vec3& v) { to.insert(to.end(), v.data(), v.data() + 3); };
+    to.insert
+    (
+        to.end(),
+        {
+            double(m.p.id), double(m.p.material), m.p.radius, m.p.mass,
+            m.half, double(m.owner), double(m.index), double(m.contacts.size()),
+            m.gas.Sp, m.gas.SpOmega
+        }
+    );
+    put(m.p.x);
+    put(m.p.v);
+    put(m.p.omega);
+    put(m.gas.Uc);
+    put(m.gas.Su);
+    put(m.gas.omegaC);
+    put(m.impulse);
+    packRest(m.rest, m.contacts, to);
+}
+
+
+System::Implementation::Member System::Implementation::unpack(const double*& from)
+{
+    const auto get = [&] { const Vec3 v(from[0], from[1], from[2]); from += 3; return v; };
+    Member m;
+    m.p.id = std::int64_t(from[0]);
+    m.p.material = int(from[1]);
+    m.p.radius = from[2];
+    m.p.mass = from[3];
+    m.half = from[4];
+    m.owner = int(from[5]);
+    m.index = std::size_t(from[6]);
+    const std::size_t nContacts = std::size_t(from[7]);
+    m.gas.Sp = from[8];
+    m.gas.SpOmega = from[9];
+    from += 10;
+    m.p.x = get();
+    m.p.v = get();
+    m.p.omega = get();
+    m.gas.Uc = get();
+    m.gas.Su = get();
+    m.gas.omegaC = get();
+    m.impulse = get();
+    unpackRest(from, nContacts, m.rest, m.contacts);
+    from += restNumbers + nContacts*contactNumbers;
+    return m;
+}
+
+
+// * * * * * * * * * * * * * * * * Who can meet whom * * * * * * * * * * * * * * * * * * //
+
+System::Implementation::Labels System::Implementation::label
+(
+    const std::vector<double>& half,
+    const std::vector<double>& bound
+) const
+{
+    const std::size_t n = particles.size();
+    std::vector<Box> boxes(n);
+    for (std::size_t i = 0; i < n; ++i) boxes[i] = box(i, half[i]);
+
+    // On this rank
+    DisjointSets sets(n);
+    boxPairs(boxes, [&](int i, int j) { sets.join(std::size_t(i), std::size_t(j)); });
+
+    struct Component
+    {
+        std::int64_t id;
+        double speed = 0;
+        bool active = false;
+        bool shared = false;
+        int home;
+        std::size_t count = 0;
+    };
+    std::vector<Component> components(n);
+    for (std::size_t i = 0; i < n; ++i)
+    {
+        Component& c = components[sets.find(i)];
+        if (!c.count)
+        {
+            c.id = particles[i].id;
+            c.home = communicator.rank();
+        }
+        c.id = std::min(c.id, particles[i].id);
+        c.speed = std::max(c.speed, bound[i]);
+        c.active = c.active || awake(i);
+        ++c.count;
+    }
+
+    if (communicator.parallel())
+    {
+        // Particles that reach into the box of another rank's particles are shown to all;
+        // everybody joins the same components in the same way.
+        std::vector<double> mine;
+        if (n)
+        {
+            Box all = boxes[0];
+            for (const Box& b : boxes) all.include(b);
+            mine.insert(mine.end(), all.low.data(), all.low.data() + 3);
+            mine.insert(mine.end(), all.high.data(), all.high.data() + 3);
+        }
+        const auto domains = communicator.allGather(mine);
+
+        std::vector<double> shown;
+        for (std::size_t i = 0; i < n; ++i)
+        {
+            bool out = false;
+            for (int r = 0; r < communicator.size() && !out; ++r)
+            {
+                const auto& d = domains[std::size_t(r)];
+                if (r == communicator.rank() || d.empty()) continue;
+                out = boxes[i].overlaps({{d[0], d[1], d[2]}, {d[3], d[4], d[5]}});
+            }
+            if (!out) continue;
+            const Component& c = components[sets.find(i)];
+            shown.insert
+            (
+                shown.end(), boxes[i].low.data(), boxes[i].low.data() + 3
+            );
+            shown.insert
+            (
+                shown.end(), boxes[i].high.data(), boxes[i].high.data() + 3
+            );
+            shown.insert
+            (
+                shown.end(), {double(c.id), c.speed, double(c.active)}
+            );
+        }
+        const auto everybody = communicator.allGather(shown);
+
+        std::vector<Box> all;
+        std::vector<std::int64_t> ids;
+        std::map<std::int64_t, Component> joined;
+        std::vector<int> ranks;
+        for (int r = 0; r < communicator.size(); ++r)
+        {
+            const auto& s = everybody[std::size_t(r)];
+            for (std::size_t k = 0; k + 9 <= s.size(); k += 9)
+            {
+                all.push_back({{s[k], s[k+1], s[k+2]}, {s[k+3], s[k+4], s[k+5]}});
+                const std::int64_t id = std::int64_t(s[k+6]);
+                ids.push_back(id);
+                ranks.push_back(r);
+                Component& c = joined[id];
+                c.id = id;
+                c.speed = s[k+7];
+                c.active = s[k+8] > 0;
+                c.home = r;
+            }
+        }
+
+        std::map<std::int64_t, std::int64_t> parent;
+        const auto root = [&](std::int64_t id)
+        {
+            for (auto p = parent.find(id); p != parent.end(); p = parent.find(id))
+            {
+                id = p->second;
+            }
+            return id;
+        };
+        boxPairs
+        (
+            all,
+            [&](int i, int j)
+            {
+                if (ranks[std::size_t(i)] == ranks[std::size_t(j)]) return;
+                const std::int64_t a = root(ids[std::size_t(i)]);
+                const std::int64_t b = root(ids[std::size_t(j)]);
+                if (a == b) return;
+                const std::int64_t low = std::min(a, b), high = std::max(a, b);
+                parent[high] = low;
+                Component& to = joined[low];
+                const Component& from = joined[high];
+                to.speed = std::max(to.speed, from.speed);
+                to.active = to.active || from.active;
+                to.shared = true;
+            }
+        );
+
+        for (Component& c : components)
+        {
+            if (!c.count) continue;
+            const auto found = joined.find(root(c.id));
+            if (found == joined.end() || !found->second.shared) continue;
+            const std::size_t count = c.count;
+            c = found->second;
+            c.count = count;
+        }
+    }
+
+    Labels labels;
+    labels.component.resize(n);
+    labels.speed.resize(n);
+    labels.active.resize(n);
+    labels.shared.resize(n);
+    labels.alone.resize(n);
+    labels.home.resize(n);
+    for (std::size_t i = 0; i < n; ++i)
+    {
+        const Component& c = components[sets.find(i)];
+        labels.component[i] = c.id;
+        labels.speed[i] = c.speed;
+        labels.active[i] = c.active;
+        labels.shared[i] = c.shared;
+        labels.alone[i] = c.count == 1 && !c.shared;
+        labels.home[i] = c.home;
+    }
+    return labels;
+}
+
+
+//- Move one island; members in order of id
+void System::Implementation::integrate
+(
+    std::vector<Member>& members, double dt, StepReport& report
+)
+{
+    IslandIntegrator& island = *integrator;
+    island.clear();
+
+    std::vector<Box> boxes;
+    std::vector<int> surfaces;
+    std::unordered_map<std::int64_t, int> local;
+    for (const Member& m : members)
+    {
+        const double half =
+            m.p.radius + materials.reach(m.p.material, m.p.radius) + m.half;
+        boxes.push_back({m.p.x.array() - half, m.p.x.array() + half});
+        walls.query(boxes.back().low, boxes.back().high, surfaces);
+        local.emplace(m.p.id, int(boxes.size()) - 1);
+        island.addParticle(m.p, m.gas, m.rest);
+        island.addSurfaces(surfaces);
+    }
+
+    std::vector<std::pair<int, int>> pairs;
+    boxPairs(boxes, [&](int i, int j) { pairs.emplace_back(i, j); });
+    std::sort(pairs.begin(), pairs.end());
+    for (const auto& p : pairs) island.addCandidate(p.first, p.second);
+
+    for (std::size_t i = 0; i < members.size(); ++i)
+    {
+        for (const ContactRecord& c : members[i].contacts)
+        {
+            int j = -1;
+            if (c.wall < 0)
+            {
+                // the partner has left the system: the contact has gone with it
+                const auto found = local.find(c.idJ);
+                if (found == local.end()) continue;
+                j = found->second;
+            }
+            island.addContact(int(i), j, c);
+        }
+    }
+
+    island.run(dt, now, report);
+    ++report.islands;
+
+    for (std::size_t i = 0; i < members.size(); ++i)
+    {
+        Member& m = members[i];
+        m.p = island.particle(int(i));
+        m.rest = island.rest(int(i));
+        m.impulse = island.gasImpulse(int(i));
+        m.contacts = island.contacts(int(i));
+    }
+}
+
+
+StepReport System::Implementation::advance(double dt)
+{
+    StepReport report;
+    Clock::time_point clock = Clock::now();
+    const std::size_t n = particles.size();
+    const int rank = communicator.rank();
+
+    std::vector<double> bound(n), half(n, 0.0);
+    for (std::size_t i = 0; i < n; ++i)
+    {
+        impulse[i] = Vec3::Zero();
+        bound[i] = speedBound(i, dt);
+        if (awake(i)) half[i] = speedMargin*bound[i]*dt;
+        else bound[i] = 0;
+    }
+
+    // First by each one's own speed; then whoever can be hit may become as fast as the
+    // fastest of its component.
+    Labels labels = label(half, bound);
+    bool widened = false;
+    for (std::size_t i = 0; i < n; ++i)
+    {
+        if (!labels.active[i] || labels.alone[i]) continue;
+        const double wide = speedMargin*labels.speed[i]*dt;
+        widened = widened || wide > half[i];
+        half[i] = std::max(half[i], wide);
+    }
+    if (communicator.any(widened)) labels = label(half, bound);
+
+    // Sort out: closed-form flight, islands of this rank, islands moved elsewhere
+    std::vector<std::size_t> flights;
+    std::map<std::int64_t, std::vector<Member>> islands;
+    std::vector<std::vector<double>> away(std::size_t(communicator.size()));
+    std::vector<int> surfaces;
+    for (std::size_t i = 0; i < n; ++i)
+    {
+        if (!labels.active[i]) continue;
+        if (labels.alone[i] && contacts[i].empty())
+        {
+            const Box b = box(i, half[i]);
+            walls.query(b.low, b.high, surfaces);
+            if (surfaces.empty())
+            {
+                flights.push_back(i);
+                continue;
+            }
+        }
+        if (labels.shared[i] && labels.home[i] != rank)
+        {
+            std::vector<double>& to = away[std::size_t(labels.home[i])];
+            to.push_back(double(labels.component[i]));
+            pack(member(i, half[i]), to);
+        }
+        else
+        {
+            islands[labels.component[i]].push_back(member(i, half[i]));
+        }
+    }
+    for (const auto& from : communicator.exchange(away))
+    {
+        const double* p = from.data();
+        const double* const end = p + from.size();
+        while (communicator.parallel() && p < end)
+        {
+            const std::int64_t component = std::int64_t(*p++);
+            islands[component].push_back(unpack(p));
+        }
+    }
+    report.secondsSearch += since(clock);
+
+    for (const std::size_t i : flights)
+    {
+        impulse[i] = fly(particles[i], gas[i], dt);
+        rest[i].inContact = false;
+        ++report.freeFlights;
+    }
+    report.secondsFlight += since(clock);
+
+    std::vector<std::vector<double>> back(std::size_t(communicator.size()));
+    for (auto& island : islands)
+    {
+        std::vector<Member>& members = island.second;
+        std::sort
+        (
+            members.begin(), members.end(),
+            [](const Member& a, const Member& b) { return a.p.id < b.p.id; }
+        );
+        integrate(members, dt, report);
+        for (const Member& m : members)
+        {
+            if (m.owner == rank) takeBack(m);
+            else pack(m, back[std::size_t(m.owner)]);
+        }
+    }
+    report.secondsContact += since(clock);
+
+    for (const auto& from : communicator.exchange(back))
+    {
+        const double* p = from.data();
+        const double* const end = p + from.size();
+        while (communicator.parallel() && p < end) takeBack(unpack(p));
+    }
+    for (std::size_t i = 0; i < n; ++i)
+    {
+        report.resting += rest[i].resting;
+        report.inContact += rest[i].inContact;
+    }
+    report.secondsSearch += since(clock);
+    now += dt;
+    return report;
+}
+
+
+std::unordered_map<std::int64_t, Particle>
+System::Implementation::remotePartners() const
+{
+    std::unordered_map<std::int64_t, Particle> result;
+    if (!communicator.parallel()) return result;
+
+    std::vector<double> wanted;
+    for (const auto& list : contacts)
+    {
+        for (const ContactRecord& c : list)
+        {
+            if (c.wall < 0 && !indexOf.count(c.idJ)) wanted.push_back(double(c.idJ));
+        }
+    }
+    const auto asked = communicator.allGather(wanted);
+    std::vector<std::vector<double>> answers(std::size_t(communicator.size()));
+    for (int r = 0; r < communicator.size(); ++r)
+    {
+        for (const double id : asked[std::size_t(r)])
+        {
+            const auto found = indexOf.find(std::int64_t(id));
+            if (found == indexOf.end()) continue;
+            pack(member(found->second, 0), answers[std::size_t(r)]);
+        }
+    }
+    for (const auto& from : communicator.exchange(answers))
+    {
+        const double* p = from.data();
+        const double* const end = p + from.size();
+        while (p < end)
+        {
+            const Member m = unpack(p);
+            result.emplace(m.p.id, m.p);
+        }
+    }
+    return result;
+}
+
+
+// * * * * * * * * * * * * * * * * * * System * * * * * * * * * * * * * * * * * * * * * * //
+
+System::System
+(
+    MaterialTable materials, const TimeSettings& time, Communicator communicator
+)
+:
+    impl_(std::make_unique<Implementation>(std::move(materials), time, communicator))
+{}
+
+
+System::~System() = default;
+
+
+const MaterialTable& System::materials() const { return impl_->materials; }
+const TimeSettings& System::timeSettings() const { return impl_->time; }
+
+
+void System::setWalls(Walls walls)
+{
+    for (const WallPatch& p : walls.patches)
+    {
+        if (p.material < 0 || p.material >= int(materials().materials().size()))
+        {
+            throw inputError
+            (
+                "walls", "material " + std::to_string(p.material) + " of " + p.name,
+                "an index into the materials"
+            );
+        }
+    }
+    impl_->walls = WallSearch(std::move(walls));
+}
+
+
+const Walls& System::walls() const { return impl_->walls.walls(); }
+
+
+std::size_t System::size() const { return impl_->particles.size(); }
+
+
+std::size_t System::add(const Particle& p)
+{
+    const std::string name = "particle " + std::to_string(p.id);
+    if (!(p.radius > 0 && std::isfinite(p.radius)))
+    {
+        throw inputError
+        (
+            "diameter", name + " has " + std::to_string(2*p.radius) + " m",
+            "a positive number"
+        );
+    }
+    if (!(p.mass > 0 && std::isfinite(p.mass)))
+    {
+        throw inputError
+        (
+            "density", name + " has a mass of " + std::to_string(p.mass) + " kg",
+            "a positive number"
+        );
+    }
+    if (p.material < 0 || p.material >= int(materials().materials().size()))
+    {
+        throw inputError("material", name, "an index into the materials");
+    }
+    if (p.id < 0 || !impl_->indexOf.emplace(p.id, size()).second)
+    {
+        throw inputError("id", name + " is there already", "unique numbers, 0 or more");
+    }
+    if (!p.x.allFinite() || !p.v.allFinite() || !p.omega.allFinite())
+    {
+        impl_->indexOf.erase(p.id);
+        throw inputError("position", name + " is not finite", "finite numbers");
+    }
+
+    impl_->particles.push_back(p);
+    impl_->gas.emplace_back();
+    impl_->rest.emplace_back();
+    impl_->impulse.push_back(Vec3::Zero());
+    impl_->reach.push_back(materials().reach(p.material, p.radius));
+    impl_->contacts.emplace_back();
+    return size() - 1;
+}
+
+
+void System::remove(const std::vector<char>& marked)
+{
+    Implementation& s = *impl_;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < s.particles.size(); ++i)
+    {
+        if (i < marked.size() && marked[i])
+        {
+            s.indexOf.erase(s.particles[i].id);
+            continue;
+        }
+        if (kept != i)
+        {
+            s.particles[kept] = s.particles[i];
+            s.gas[kept] = s.gas[i];
+            s.rest[kept] = s.rest[i];
+            s.impulse[kept] = s.impulse[i];
+            s.reach[kept] = s.reach[i];
+            s.contacts[kept] = std::move(s.contacts[i]);
+            s.indexOf[s.particles[i].id] = kept;
+        }
+        ++kept;
+    }
+    s.particles.resize(kept);
+    s.gas.resize(kept);
+    s.rest.resize(kept);
+    s.impulse.resize(kept);
+    s.reach.resize(kept);
+    s.contacts.resize(kept);
+}
+
+
+const Particle& System::particle(std::size_t i) const
+{
+    return impl_->particles[impl_->checked(i)];
+}
+
+
+void System::setMotion
+(
+    std::size_t i, const Vec3& x, const Vec3& v, const Vec3& omega
+)
+{
+    Particle& p = impl_->particles[impl_->checked(i)];
+    p.x = x;
+    p.v = v;
+    p.omega = omega;
+    // an impossible wake force: the whole cluster wakes at the next step
+    impl_->rest[i].wakeForce = -1;
+    impl_->rest[i].quietTime = 0;
+}
+
+
+bool System::resting(std::size_t i) const { return impl_->rest[impl_->checked(i)].resting; }
+
+
+bool System::inContact(std::size_t i) const
+{
+    return impl_->rest[impl_->checked(i)].inContact;
+}
+
+
+void System::setGasLoad(std::size_t i, const GasLoad& load)
+{
+    if
+    (
+        !(load.Sp >= 0 && load.SpOmega >= 0)
+     || !std::isfinite(load.Sp) || !std::isfinite(load.SpOmega)
+     || !load.Uc.allFinite() || !load.Su.allFinite() || !load.omegaC.allFinite()
+    )
+    {
+        throw numericalError
+        (
+            "The gas force on particle "
+          + std::to_string(impl_->particles[impl_->checked(i)].id)
+          + " is not finite or its drag is negative, at time "
+          + std::to_string(impl_->now) + " s"
+        );
+    }
+    impl_->gas[impl_->checked(i)] = load;
+}
+
+
+StepReport System::advance(double dt)
+{
+    if (!(dt > 0 && std::isfinite(dt)))
+    {
+        throw inputError("dt", "is " + std::to_string(dt), "a positive time [s]");
+    }
+    return impl_->advance(dt);
+}
+
+
+const Vec3& System::gasImpulse(std::size_t i) const
+{
+    return impl_->impulse[impl_->checked(i)];
+}
+
+
+double System::time() const { return impl_->now; }
+void System::setTime(double time) { impl_->now = time; }
+
+
+std::vector<ContactView> System::contacts() const
+{
+    const Implementation& s = *impl_;
+    const auto remote = s.remotePartners();
+    std::vector<ContactView> result;
+
+    ContactList list;
+    for (std::size_t i = 0; i < s.particles.size(); ++i)
+    {
+        for (const ContactRecord& c : s.contacts[i])
+        {
+            const Particle& p = s.particles[i];
+            const bool wall = c.wall >= 0;
+            Particle q = p;
+            if (!wall)
+            {
+                const auto local = s.indexOf.find(c.idJ);
+                const auto there = remote.find(c.idJ);
+                if (local != s.indexOf.end()) q = s.particles[local->second];
+                else if (there != remote.end()) q = there->second;
+                else continue;      // its partner has left the system
+            }
+            const int mj =
+                wall ? walls().patches[std::size_t(c.wall)].material : q.material;
+            const PairConstants& pair = s.materials.constants(p.material, mj);
+            const ContactLaw& law =
+                *s.materials.laws()[std::size_t(s.materials.lawIndex(p.material, mj))];
+            const double R =
+                wall ? p.radius : p.radius*q.radius/(p.radius + q.radius);
+            const double m = wall ? p.mass : p.mass*q.mass/(p.mass + q.mass);
+            double constants[maxConstants];
+            law.prepare(s.materials.pairInLaw(p.material, mj), {pair, R, m}, constants);
+
+            // the kernels work on a copy of the history
+            Body bodies[2] = {};
+            Load loads[2] = {};
+            for (int k = 0; k < 2; ++k)
+            {
+                const Particle& a = k ? q : p;
+                for (int d = 0; d < 3; ++d)
+                {
+                    bodies[k].x[d] = a.x[d];
+                    bodies[k].v[d] = bodies[k].vHalf[d] = a.v[d];
+                    bodies[k].w[d] = bodies[k].wHalf[d] = a.omega[d];
+                }
+                bodies[k].r = a.radius;
+                bodies[k].m = a.mass;
+            }
+            list.setUp(law.nConstants(), law.nHistory(), wall);
+            list.append(0, wall ? c.wall : 1, 0, constants, c.history);
+
+            ContactView v;
+            v.idI = p.id;
+            v.idJ = wall ? -1 : q.id;
+            v.wall = c.wall;
+            if (wall)
+            {
+                v.normal = Vec3(c.n[0], c.n[1], c.n[2]);
+                std::vector<WallHit> hits;
+                std::vector<int> surfaces;
+                const double range = p.radius + s.reach[i];
+                s.walls.query
+                (
+                    p.x.array() - range, p.x.array() + range, surfaces
+                );
+                s.walls.hits(p.x, range*(1 + 1e-6), surfaces.data(), surfaces.size(), hits);
+                double best = -2;
+                v.overlap = 0;
+                for (const WallHit& h : hits)
+                {
+                    const double alike = h.n.dot(v.normal);
+                    if (h.patch == c.wall && alike > best)
+                    {
+                        best = alike;
+                        v.overlap = p.radius - h.distance;
+                    }
+                }
+                list.nx[0] = c.n[0];
+                list.ny[0] = c.n[1];
+                list.nz[0] = c.n[2];
+                list.overlap[0] = v.overlap;
+                law.evaluateWalls(list, 0, 1, bodies, loads, 0, 1);
+            }
+            else
+            {
+                const Vec3 d = q.x - p.x;
+                v.normal = d.normalized();
+                v.overlap = p.radius + q.radius - d.norm();
+                law.evaluatePairs(list, 0, 1, bodies, loads, 0, 1);
+            }
+            v.point = p.x + (p.radius - 0.5*v.overlap)*v.normal;
+            v.force = Vec3(loads[0].f[0], loads[0].f[1], loads[0].f[2]);
+            v.pullOff = law.pullOff(pair.gamma, R);
+            v.contactRadius = law.normalResponse(constants, v.overlap).radius;
+            v.resting = s.rest[i].resting;
+            result.push_back(v);
+        }
+    }
+    return result;
+}
+
+
+std::vector<double> System::adhesionMargins() const
+{
+    const Implementation& s = *impl_;
+    ClusterGraph graph;
+    for (std::size_t i = 0; i < s.particles.size(); ++i)
+    {
+        if (!s.rest[i].inContact) continue;
+        const GasLoad& g = s.gas[i];
+        const Vec3 force = g.Sp*(g.Uc - s.particles[i].v) + g.Su;
+        graph.nodes.push_back({s.particles[i].id, s.particles[i].mass, force});
+    }
+    for (const ContactView& c : contacts())
+    {
+        graph.bonds.push_back({c.idI, c.idJ, c.pullOff});
+    }
+    return clusterMargins(graph.gathered(s.communicator));
+}
+
+
+std::vector<ClusterLabel> System::clusters() const
+{
+    const Implementation& s = *impl_;
+    ClusterGraph graph;
+    for (std::size_t i = 0; i < s.particles.size(); ++i)
+    {
+        for (const ContactRecord& c : s.contacts[i])
+        {
+            graph.bonds.push_back({s.particles[i].id, c.wall >= 0 ? -1 : c.idJ, 0});
+        }
+    }
+    const auto labels = clusterLabels(graph.everywhere(s.communicator));
+
+    std::vector<ClusterLabel> result;
+    for (const Particle& p : s.particles)
+    {
+        const auto found = labels.find(p.id);
+        result.push_back
+        (
+            found == labels.end() ? ClusterLabel{p.id, false} : found->second
+        );
+    }
+    return result;
+}
+
+
+double System::overlapAt(const Vec3& x, double radius, std::string& wallName) const
+{
+    const Implementation& s = *impl_;
+    double largest = -1e300;
+    wallName.clear();
+    for (const Particle& p : s.particles)
+    {
+        largest = std::max(largest, radius + p.radius - (p.x - x).norm());
+    }
+
+    // far walls do not matter: three radii will do
+    const double range = 3*radius;
+    std::vector<int> surfaces;
+    std::vector<WallHit> hits;
+    s.walls.query(x.array() - range, x.array() + range, surfaces);
+    s.walls.hits(x, range, surfaces.data(), surfaces.size(), hits);
+    for (const WallHit& h : hits)
+    {
+        if (radius - h.distance > largest)
+        {
+            largest = radius - h.distance;
+            wallName = walls().patchName(h.patch);
+        }
+    }
+    return largest;
+}
+
+
+std::vector<double> System::packState(std::size_t i) const
+{
+    const Implementation& s = *impl_;
+    std::vector<double> state;
+    if (s.rest[s.checked(i)].inContact || !s.contacts[i].empty())
+    {
+        packRest(s.rest[i], s.contacts[i], state);
+    }
+    return state;
+}
+
+
+void System::unpackState(std::size_t i, const std::vector<double>& state)
+{
+    Implementation& s = *impl_;
+    s.checked(i);
+    if (state.empty()) return;
+    if (state.size() < restNumbers || (state.size() - restNumbers)%contactNumbers)
+    {
+        throw inputError
+        (
+            "contact state",
+            std::to_string(state.size()) + " numbers for particle "
+          + std::to_string(s.particles[i].id),
+            std::to_string(restNumbers) + " and " + std::to_string(contactNumbers)
+          + " per contact"
+        );
+    }
+    unpackRest
+    (
+        state.data(), (state.size() - restNumbers)/contactNumbers,
+        s.rest[i], s.contacts[i]
+    );
+    for (const ContactRecord& c : s.contacts[i])
+    {
+        if (c.wall >= int(walls().patches.size()))
+        {
+            throw inputError
+            (
+                "contact state", "wall patch " + std::to_string(c.wall),
+                "below " + std::to_string(walls().patches.size())
+            );
+        }
+    }
+}
+
+}

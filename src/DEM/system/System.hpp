@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The DEM system: particles, walls, contacts, and the clocks that move them.
+//
+// One call of advance(dt) is one particle step. Within it
+//   - a particle that can meet nothing flies in closed form (linear drag, any tau_p/dt);
+//   - particles that can meet form islands; each island flies to its next touch and takes
+//     contact steps of its own size only while it has a contact;
+//   - an island whose contacts have come to rest sleeps until it is touched or its gas
+//     load changes.
+// Islands that span ranks are moved by the rank that owns their lowest particle id, so the
+// result does not depend on the decomposition.
+//
+// All units SI. Nothing here knows of a mesh or of OpenFOAM.
+#pragma once
+
+#include "contacts/ContactView.hpp"
+#include "materials/ContactSettings.hpp"
+#include "materials/Material.hpp"
+#include "materials/MaterialTable.hpp"
+#include "parallel/Communicator.hpp"
+#include "particles/GasLoad.hpp"
+#include "particles/Particle.hpp"
+#include "reducedStiffness/ReducedStiffness.hpp"
+#include "timeIntegration/TimeSettings.hpp"
+#include "system/StepReport.hpp"
+#include "walls/Walls.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace dem
+{
+
+class System
+{
+public:
+
+    //- Errors: inputError where a setting is wrong
+    System
+    (
+        MaterialTable materials,
+        const TimeSettings& time,
+        Communicator communicator = Communicator()     // default: this process alone
+    );
+    ~System();
+
+    System(const System&) = delete;
+    System& operator=(const System&) = delete;
+
+    const MaterialTable& materials() const;
+    const TimeSettings& timeSettings() const;
+
+
+    // Walls. The same list on every rank; set once, before the first particle.
+
+        void setWalls(Walls walls);
+        const Walls& walls() const;
+
+
+    // Particles of this rank. An index stays valid until remove() is called.
+
+        std::size_t size() const;
+
+        //- Errors: inputError on a diameter, density or id that makes no sense, or an id
+        //  that this rank has already
+        std::size_t add(const Particle& p);
+
+        //- Remove the marked particles (one flag per index) with their contacts, and close
+        //  the gaps: afterwards the remaining ones keep their order. Contacts with a
+        //  particle that another rank removes end at the next advance().
+        void remove(const std::vector<char>& marked);
+
+        const Particle& particle(std::size_t index) const;
+
+        //- Change position, velocity or spin from outside (tests, thermostats). Wakes it.
+        void setMotion(std::size_t index, const Vec3& x, const Vec3& v, const Vec3& omega);
+
+        bool resting(std::size_t index) const;
+
+        //- In at least one contact (pair or wall) at the end of the last advance()
+        bool inContact(std::size_t index) const;
+
+
+    // Gas
+
+        //- The gas force on a particle during the next advance(): Sp (Uc - v) + Su [N]
+        void setGasLoad(std::size_t index, const GasLoad& load);
+
+
+    // Motion
+
+        //- One particle step of dt [s]. Collective. Afterwards every particle of this rank
+        //  has moved, and gasImpulse() holds what the gas gave to it.
+        //  Errors: numericalError, with particle, contact and time named.
+        StepReport advance(double dt);
+
+        //- Impulse [N s] that the gas gave to the particle in the last advance(), contact
+        //  impulses not included
+        const Vec3& gasImpulse(std::size_t index) const;
+
+        double time() const;        // [s] summed over advance(); set on restart
+        void setTime(double time);
+
+
+    // Contacts (end of the last advance())
+
+        //- Contacts of this rank's particles. A pair contact is listed on the rank that
+        //  owns its lower id; forces are re-evaluated without touching any history.
+        //  Collective.
+        std::vector<ContactView> contacts() const;
+
+        //- Pull-off force over external force for every bonded particle of all ranks:
+        //  the force that its contact towards the wall must carry is the sum of the
+        //  external forces on all that hangs on it (shortest way to the wall; of a flying
+        //  aggregate, to its lowest id, in its accelerated frame). 1e30 where nothing
+        //  pulls. Collective; the result is on the master (else empty).
+        std::vector<double> adhesionMargins() const;
+
+        //- Labels of connected clusters: for each particle of this rank the lowest id of
+        //  its cluster and whether that cluster holds on to a wall. Collective.
+        std::vector<ClusterLabel> clusters() const;
+
+
+    // Insertion
+
+        //- Largest overlap [m] that a sphere placed at x would have with a wall or with a
+        //  particle of this rank; negative = free. wallName says which wall ("" = particle).
+        double overlapAt(const Vec3& x, double radius, std::string& wallName) const;
+
+
+    // Moving particles between ranks, and files
+
+        //- Contact history and rest state of a particle as numbers (empty if it has none).
+        //  For a pair the lower id carries it.
+        std::vector<double> packState(std::size_t index) const;
+
+        //- The inverse, for a particle just added.
+        //  Errors: inputError where the numbers do not fit the contact laws in use
+        void unpackState(std::size_t index, const std::vector<double>& state);
+
+
+private:
+
+    class Implementation;
+    std::unique_ptr<Implementation> impl_;
+};
+
+}

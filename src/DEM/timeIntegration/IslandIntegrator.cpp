@@ -1,0 +1,1187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "timeIntegration/IslandIntegrator.hpp"
+
+#include "contactModels/contactModel/none.hpp"
+#include "particles/errors.hpp"
+#include "timeIntegration/contactPeriod.hpp"
+#include "timeIntegration/freeFlight.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace dem
+{
+
+namespace
+{
+
+// Contact steps between two looks at the contact step and at rest
+constexpr int stepsBetweenLooks = 4;
+
+// Above this many candidates and contacts an island is dense: a single event is no longer
+// worth a step of its own
+constexpr std::size_t denseIsland = 256;
+
+// Rest criterion (see the header)
+constexpr double quietEnergy = 0.1;
+constexpr double quietForce = 0.1;
+constexpr double quietTorque = 0.02;
+constexpr double wakeForceChange = 0.1;
+constexpr double windowPeriods = 3;
+
+// Old and new normals of one wall contact differ by less than 60 degrees
+constexpr double sameNormal = 0.5;
+
+Vec3 vec(const double* p) { return {p[0], p[1], p[2]}; }
+
+Vec3 gasForceAtRest(const GasLoad& g) { return g.Sp*g.Uc + g.Su; }
+
+}
+
+
+IslandIntegrator::IslandIntegrator
+(
+    const MaterialTable& materials,
+    const TimeSettings& time,
+    const WallSearch& walls
+)
+:
+    materials_(materials),
+    time_(time),
+    wallSearch_(walls),
+    lists_(materials.laws().size())
+{
+    for (std::size_t l = 0; l < lists_.size(); ++l)
+    {
+        const ContactLaw& law = *materials_.laws()[l];
+        lists_[l].pairs.setUp(law.nConstants(), law.nHistory(), false);
+        lists_[l].walls.setUp(law.nConstants(), law.nHistory(), true);
+    }
+}
+
+
+void IslandIntegrator::clear()
+{
+    particles_.clear();
+    gas_.clear();
+    rest_.clear();
+    impulse_.clear();
+    reach_.clear();
+    stored_.clear();
+    candidates_.clear();
+    surfaceEnd_.clear();
+    surfaces_.clear();
+    for (LawLists& l : lists_)
+    {
+        l.pairs.clear();
+        l.walls.clear();
+    }
+    entries_.clear();
+    freeEntries_.clear();
+}
+
+
+void IslandIntegrator::addParticle
+(
+    const Particle& p, const GasLoad& g, const RestState& rest
+)
+{
+    particles_.push_back(p);
+    gas_.push_back(g);
+    rest_.push_back(rest);
+    impulse_.push_back(Vec3::Zero());
+    reach_.push_back(materials_.reach(p.material, p.radius));
+    stored_.emplace_back();
+    surfaceEnd_.push_back(surfaces_.size());
+}
+
+
+void IslandIntegrator::addSurfaces(const std::vector<int>& surfaces)
+{
+    surfaces_.insert(surfaces_.end(), surfaces.begin(), surfaces.end());
+    surfaceEnd_.back() = surfaces_.size();
+}
+
+
+void IslandIntegrator::addCandidate(int i, int j)
+{
+    candidates_.push_back({i, j, false});
+}
+
+
+void IslandIntegrator::addContact(int i, int j, const ContactRecord& record)
+{
+    stored_[std::size_t(i)].push_back({j, record});
+}
+
+
+std::vector<ContactRecord> IslandIntegrator::contacts(int i) const
+{
+    std::vector<ContactRecord> result;
+    for (const Stored& s : stored_[std::size_t(i)]) result.push_back(s.record);
+    return result;
+}
+
+
+// * * * * * * * * * * * * * * * * * Contacts * * * * * * * * * * * * * * * * * * * * * //
+
+void IslandIntegrator::begin
+(
+    int i, int j, int patch, int candidate, const ContactRecord* record
+)
+{
+    const Particle& p = particles_[std::size_t(i)];
+    const bool wall = j < 0;
+    const int mj =
+        wall
+      ? wallSearch_.walls().patches[std::size_t(patch)].material
+      : particles_[std::size_t(j)].material;
+    const int l = materials_.lawIndex(p.material, mj);
+    const ContactLaw& law = *materials_.laws()[std::size_t(l)];
+    const PairConstants& pair = materials_.constants(p.material, mj);
+
+    const Body& bi = bodies_[std::size_t(i)];
+    Entry e;
+    e.candidate = candidate;
+    e.materialJ = mj;
+    if (wall)
+    {
+        e.R = p.radius;
+        e.m = p.mass;
+        e.invInertia = bi.invI;
+    }
+    else
+    {
+        const Particle& q = particles_[std::size_t(j)];
+        e.R = p.radius*q.radius/(p.radius + q.radius);
+        e.m = p.mass*q.mass/(p.mass + q.mass);
+        e.invInertia = bi.invI + bodies_[std::size_t(j)].invI;
+        candidates_[std::size_t(candidate)].touching = true;
+    }
+    double constants[maxConstants];
+    law.prepare
+    (
+        materials_.pairInLaw(p.material, mj), {pair, e.R, e.m}, constants
+    );
+    e.neck = law.reach(pair.gamma, pair.E, e.R);
+    e.pullOff = law.pullOff(pair.gamma, e.R);
+    e.a0 = law.equilibriumRadius(pair.gamma, pair.E, e.R);
+    e.yield = law.rollingYield(constants);
+
+    int tag;
+    if (freeEntries_.empty())
+    {
+        tag = int(entries_.size());
+        entries_.push_back(e);
+    }
+    else
+    {
+        tag = freeEntries_.back();
+        freeEntries_.pop_back();
+        entries_[std::size_t(tag)] = e;
+    }
+
+    ContactList& list =
+        wall ? lists_[std::size_t(l)].walls : lists_[std::size_t(l)].pairs;
+    list.append(i, wall ? patch : j, tag, constants, record ? record->history : nullptr);
+    if (wall && record)
+    {
+        list.nx.back() = record->n[0];
+        list.ny.back() = record->n[1];
+        list.nz.back() = record->n[2];
+    }
+}
+
+
+void IslandIntegrator::remove(ContactList& list, std::size_t k)
+{
+    const int tag = list.tag[k];
+    const int candidate = entries_[std::size_t(tag)].candidate;
+    if (candidate >= 0) candidates_[std::size_t(candidate)].touching = false;
+    freeEntries_.push_back(tag);
+    list.swap(k, list.size() - 1);
+    list.popBack();
+}
+
+
+void IslandIntegrator::store(const ContactList& list, std::size_t k, bool wall)
+{
+    Stored s;
+    s.j = wall ? -1 : list.j[k];
+    s.record.idJ = wall ? -1 : particles_[std::size_t(s.j)].id;
+    s.record.wall = wall ? list.j[k] : -1;
+    for (double& n : s.record.n) n = 0;
+    for (double& h : s.record.history) h = 0;
+    if (wall)
+    {
+        s.record.n[0] = list.nx[k];
+        s.record.n[1] = list.ny[k];
+        s.record.n[2] = list.nz[k];
+    }
+    for (std::size_t h = 0; h < list.history.size(); ++h)
+    {
+        s.record.history[h] = list.history[h][k];
+    }
+    stored_[std::size_t(list.i[k])].push_back(s);
+}
+
+
+//- Candidates come sorted; a stored contact is always among them
+int IslandIntegrator::findCandidate(int i, int j) const
+{
+    const auto found = std::lower_bound
+    (
+        candidates_.begin(), candidates_.end(), Candidate{i, j, false},
+        [](const Candidate& a, const Candidate& b)
+        {
+            return a.i < b.i || (a.i == b.i && a.j < b.j);
+        }
+    );
+    if (found == candidates_.end() || found->i != i || found->j != j)
+    {
+        fail("is farther than its law reaches", i, j, 0);
+    }
+    return int(found - candidates_.begin());
+}
+
+
+//- Put the stored contacts of awake particles into the lists
+void IslandIntegrator::activateStored()
+{
+    for (std::size_t i = 0; i < stored_.size(); ++i)
+    {
+        if (stored_[i].empty()) continue;
+        std::size_t kept = 0;
+        for (std::size_t s = 0; s < stored_[i].size(); ++s)
+        {
+            const Stored& c = stored_[i][s];
+            if (rest_[i].resting && (c.j < 0 || rest_[std::size_t(c.j)].resting))
+            {
+                stored_[i][kept++] = c;
+                continue;
+            }
+            int candidate = -1;
+            if (c.j >= 0)
+            {
+                candidate = findCandidate(int(i), c.j);
+            }
+            begin(int(i), c.j, c.record.wall, candidate, &c.record);
+        }
+        stored_[i].resize(kept);
+    }
+}
+
+
+//- End the contacts that evaluate() has marked; their load is taken back
+bool IslandIntegrator::endMarked(StepReport& report)
+{
+    bool any = false;
+    for (std::size_t l = 0; l < lists_.size(); ++l)
+    {
+        const ContactLaw& law = *materials_.laws()[l];
+        for (const bool wall : {false, true})
+        {
+            ContactList& list = wall ? lists_[l].walls : lists_[l].pairs;
+            for (std::size_t k = list.size(); k-- > 0;)
+            {
+                if (!list.ended[k]) continue;
+                if (wall)
+                {
+                    law.evaluateWalls(list, k, k + 1, bodies_.data(), loads_.data(), 0, -1);
+                }
+                else
+                {
+                    law.evaluatePairs(list, k, k + 1, bodies_.data(), loads_.data(), 0, -1);
+                }
+                remove(list, k);
+                ++report.separations;
+                any = true;
+            }
+        }
+    }
+    return any;
+}
+
+
+//- Begin contacts where surfaces have met; their load is added
+bool IslandIntegrator::form(StepReport& report)
+{
+    struct Sizes { std::size_t pairs, walls; };
+    static thread_local std::vector<Sizes> before;
+    before.clear();
+    for (const LawLists& l : lists_) before.push_back({l.pairs.size(), l.walls.size()});
+
+    // waking changes near_, so look first
+    static thread_local std::vector<int> met;
+    met.clear();
+    for (const int c : near_)
+    {
+        Vec3 n;
+        if
+        (
+            !candidates_[std::size_t(c)].touching
+         && gap(candidates_[std::size_t(c)], n) <= 0
+        ) met.push_back(c);
+    }
+
+    bool any = false;
+    bool woken = false;
+    for (const int c : met)
+    {
+        const int i = candidates_[std::size_t(c)].i, j = candidates_[std::size_t(c)].j;
+        for (const int k : {i, j})
+        {
+            if (rest_[std::size_t(k)].resting)
+            {
+                wakeCluster(k, report);
+                woken = true;
+            }
+        }
+        // the waking may have brought this very contact back from rest
+        if (candidates_[std::size_t(c)].touching) continue;
+        begin(i, j, -1, c, nullptr);
+        ++report.touches;
+        any = true;
+    }
+
+    for (const int i : awake_)
+    {
+        const auto& hits = hits_[std::size_t(i)];
+        for (std::size_t k = 0; k < hits.size(); ++k)
+        {
+            const double r = particles_[std::size_t(i)].radius;
+            if (hitTaken_[std::size_t(i)][k] || hits[k].distance > r) continue;
+            begin(i, -1, hits[k].patch, -1, nullptr);
+            const int law = materials_.lawIndex
+            (
+                particles_[std::size_t(i)].material,
+                wallSearch_.walls().patches[std::size_t(hits[k].patch)].material
+            );
+            ContactList& list = lists_[std::size_t(law)].walls;
+            list.nx.back() = hits[k].n.x();
+            list.ny.back() = hits[k].n.y();
+            list.nz.back() = hits[k].n.z();
+            list.overlap.back() = r - hits[k].distance;
+            hitTaken_[std::size_t(i)][k] = 1;
+            ++report.touches;
+            any = true;
+        }
+    }
+
+    if (woken)
+    {
+        updateWalls();
+        evaluate(0, report);
+    }
+    else if (any)
+    {
+        for (std::size_t l = 0; l < lists_.size(); ++l)
+        {
+            const ContactLaw& law = *materials_.laws()[l];
+            law.evaluatePairs
+            (
+                lists_[l].pairs, before[l].pairs, lists_[l].pairs.size(),
+                bodies_.data(), loads_.data(), 0, 1
+            );
+            law.evaluateWalls
+            (
+                lists_[l].walls, before[l].walls, lists_[l].walls.size(),
+                bodies_.data(), loads_.data(), 0, 1
+            );
+        }
+    }
+    return any;
+}
+
+
+void IslandIntegrator::wakeCluster(int first, StepReport& report)
+{
+    // all that is connected with it by stored contacts
+    std::vector<std::vector<int>> partners(particles_.size());
+    for (std::size_t i = 0; i < stored_.size(); ++i)
+    {
+        for (const Stored& s : stored_[i])
+        {
+            if (s.j < 0) continue;
+            partners[i].push_back(s.j);
+            partners[std::size_t(s.j)].push_back(int(i));
+        }
+    }
+
+    std::vector<int> queue{first};
+    rest_[std::size_t(first)].resting = false;
+    for (std::size_t k = 0; k < queue.size(); ++k)
+    {
+        const std::size_t i = std::size_t(queue[k]);
+        rest_[i].quietTime = 0;
+        loads_[i] = Load{};
+        awake_.push_back(int(i));
+        ++report.wakes;
+        for (const int j : partners[i])
+        {
+            if (rest_[std::size_t(j)].resting)
+            {
+                rest_[std::size_t(j)].resting = false;
+                queue.push_back(j);
+            }
+        }
+    }
+    std::sort(awake_.begin(), awake_.end());
+    flightStep_ = -1;
+    activateStored();
+    refreshNear();
+}
+
+
+// * * * * * * * * * * * * * * * * * Geometry * * * * * * * * * * * * * * * * * * * * * //
+
+double IslandIntegrator::gap(const Candidate& c, Vec3& n) const
+{
+    const Body& a = bodies_[std::size_t(c.i)];
+    const Body& b = bodies_[std::size_t(c.j)];
+    n = vec(b.x) - vec(a.x);
+    const double distance = n.norm();
+    n /= distance;
+    return distance - a.r - b.r;
+}
+
+
+//- |dv/dt| of free flight can only fall from here on
+double IslandIntegrator::accelerationBound(int i) const
+{
+    const std::size_t k = std::size_t(i);
+    if (rest_[k].resting) return 0;
+    const GasLoad& g = gas_[k];
+    return
+        (g.Sp*(g.Uc - vec(bodies_[k].v)) + g.Su).norm()*bodies_[k].invM;
+}
+
+
+bool IslandIntegrator::anyContact() const
+{
+    for (const LawLists& l : lists_)
+    {
+        if (l.pairs.size() || l.walls.size()) return true;
+    }
+    return false;
+}
+
+
+void IslandIntegrator::refreshNear()
+{
+    skin_ = 0.2*smallest_;
+    moved_ = 0;
+    near_.clear();
+    for (std::size_t c = 0; c < candidates_.size(); ++c)
+    {
+        const Candidate& k = candidates_[c];
+        if (rest_[std::size_t(k.i)].resting && rest_[std::size_t(k.j)].resting) continue;
+        Vec3 n;
+        if (gap(k, n) < skin_) near_.push_back(int(c));
+    }
+
+    nearSurfaces_.resize(particles_.size());
+    hits_.resize(particles_.size());
+    hitTaken_.resize(particles_.size());
+    std::size_t first = 0;
+    for (std::size_t i = 0; i < particles_.size(); ++i)
+    {
+        nearSurfaces_[i].clear();
+        hits_[i].clear();
+        const std::size_t last = surfaceEnd_[i];
+        if (!rest_[i].resting && last > first)
+        {
+            const double range = particles_[i].radius + reach_[i] + skin_;
+            for (std::size_t s = first; s < last; ++s)
+            {
+                if (wallSearch_.within(surfaces_[s], vec(bodies_[i].x), range))
+                {
+                    nearSurfaces_[i].push_back(surfaces_[s]);
+                }
+            }
+        }
+        first = last;
+    }
+}
+
+
+//- Find where the awake particles meet the walls now and give that to their contacts
+void IslandIntegrator::updateWalls()
+{
+    bool any = false;
+    for (const int i : awake_)
+    {
+        const std::size_t k = std::size_t(i);
+        hits_[k].clear();
+        hitTaken_[k].clear();
+        if (nearSurfaces_[k].empty()) continue;
+        wallSearch_.hits
+        (
+            vec(bodies_[k].x), particles_[k].radius + reach_[k] + 0.5*skin_,
+            nearSurfaces_[k].data(), nearSurfaces_[k].size(), hits_[k]
+        );
+        hitTaken_[k].assign(hits_[k].size(), 0);
+        any = any || !hits_[k].empty();
+    }
+
+    for (LawLists& l : lists_)
+    {
+        ContactList& list = l.walls;
+        for (std::size_t k = 0; k < list.size(); ++k)
+        {
+            const std::size_t i = std::size_t(list.i[k]);
+            const Vec3 old(list.nx[k], list.ny[k], list.nz[k]);
+            int best = -1;
+            double alike = sameNormal;
+            for (std::size_t c = 0; any && c < hits_[i].size(); ++c)
+            {
+                const double cosine = old.dot(hits_[i][c].n);
+                if
+                (
+                    !hitTaken_[i][c] && hits_[i][c].patch == list.j[k]
+                 && cosine > alike
+                )
+                {
+                    alike = cosine;
+                    best = int(c);
+                }
+            }
+            const double r = particles_[i].radius;
+            if (best < 0)
+            {
+                // nothing of this wall is within reach any more
+                const Entry& e = entries_[std::size_t(list.tag[k])];
+                list.overlap[k] = -(1 + 1e-6)*e.neck - 1e-9*r;
+                continue;
+            }
+            const WallHit& hit = hits_[i][std::size_t(best)];
+            hitTaken_[i][std::size_t(best)] = 1;
+            list.nx[k] = hit.n.x();
+            list.ny[k] = hit.n.y();
+            list.nz[k] = hit.n.z();
+            list.overlap[k] = r - hit.distance;
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * * Stepping * * * * * * * * * * * * * * * * * * * * * //
+
+void IslandIntegrator::setFlight(double h)
+{
+    if (h == flightStep_) return;
+    flightStep_ = h;
+    flight_.resize(particles_.size());
+    for (const int i : awake_)
+    {
+        const std::size_t k = std::size_t(i);
+        const GasLoad& g = gas_[k];
+        const FlightFactors f(g.Sp*bodies_[k].invM, h);
+        const Vec3 b = (g.Sp*g.Uc + g.Su)*bodies_[k].invM;
+        flight_[k] =
+        {
+            f.e, f.p1, f.p2,
+            g.SpOmega > 0 ? std::exp(-g.SpOmega*bodies_[k].invI*h) : 1,
+            {b[0], b[1], b[2]}
+        };
+    }
+}
+
+
+void IslandIntegrator::evaluate(double h, StepReport& report)
+{
+    for (const int i : awake_) loads_[std::size_t(i)] = Load{};
+    for (std::size_t l = 0; l < lists_.size(); ++l)
+    {
+        const ContactLaw& law = *materials_.laws()[l];
+        LawLists& lists = lists_[l];
+        const std::size_t nPairs = lists.pairs.size(), nWalls = lists.walls.size();
+        if (nPairs)
+        {
+            law.evaluatePairs
+            (
+                lists.pairs, 0, nPairs, bodies_.data(), loads_.data(), h, 1
+            );
+        }
+        if (nWalls)
+        {
+            law.evaluateWalls
+            (
+                lists.walls, 0, nWalls, bodies_.data(), loads_.data(), h, 1
+            );
+        }
+        report.contactUpdates += std::int64_t(nPairs + nWalls);
+    }
+}
+
+
+void IslandIntegrator::step(double h, StepReport& report)
+{
+    setFlight(h);
+
+    double fastest = 0;
+    for (const int i : awake_)
+    {
+        const std::size_t k = std::size_t(i);
+        Body& b = bodies_[k];
+        const Load& l = loads_[k];
+        const Flight& f = flight_[k];
+        const GasLoad& g = gas_[k];
+        const double kick = 0.5*h*b.invM, turn = 0.5*h*b.invI;
+        double square = 0;
+        for (int d = 0; d < 3; ++d)
+        {
+            const double v = b.v[d] + kick*l.f[d];
+            b.x[d] += f.p1*v + f.p2*f.b[d];
+            b.vHalf[d] = f.e*v + f.p1*f.b[d];
+            impulse_[k][d] += b.m*(b.vHalf[d] - v);
+            b.v[d] = b.vHalf[d] + kick*l.f[d];
+            square += std::max(v*v, b.vHalf[d]*b.vHalf[d]);
+
+            const double w = b.w[d] + turn*l.t[d];
+            b.wHalf[d] = g.omegaC[d] + f.eSpin*(w - g.omegaC[d]);
+            b.w[d] = b.wHalf[d] + turn*l.t[d];
+        }
+        fastest = std::max(fastest, square);
+    }
+    fastest_ = std::sqrt(fastest);
+    moved_ += fastest_*h;
+    if (2*moved_ > 0.5*skin_) refreshNear();
+
+    updateWalls();
+    evaluate(h, report);
+
+    for (const int i : awake_)
+    {
+        Body& b = bodies_[std::size_t(i)];
+        const Load& l = loads_[std::size_t(i)];
+        const double kick = 0.5*h*b.invM, turn = 0.5*h*b.invI;
+        for (int d = 0; d < 3; ++d)
+        {
+            b.v[d] = b.vHalf[d] + kick*l.f[d];
+            b.w[d] = b.wHalf[d] + turn*l.t[d];
+        }
+    }
+}
+
+
+//- The contact step that the contacts need as they are now; watches them as well
+double IslandIntegrator::contactStep(double time, StepReport& report)
+{
+    double shortest = 1e300;
+    for (std::size_t l = 0; l < lists_.size(); ++l)
+    {
+        for (const bool wall : {false, true})
+        {
+            const ContactList& list = wall ? lists_[l].walls : lists_[l].pairs;
+            for (std::size_t k = 0; k < list.size(); ++k)
+            {
+                const std::size_t i = std::size_t(list.i[k]);
+                const Body& bi = bodies_[i];
+                const Entry& e = entries_[std::size_t(list.tag[k])];
+
+                double speed, smaller = bi.r;
+                if (wall)
+                {
+                    speed =
+                        bi.v[0]*list.nx[k] + bi.v[1]*list.ny[k] + bi.v[2]*list.nz[k];
+                }
+                else
+                {
+                    const Body& bj = bodies_[std::size_t(list.j[k])];
+                    const Vec3 n = (vec(bj.x) - vec(bi.x)).normalized();
+                    speed = (vec(bi.v) - vec(bj.v)).dot(n);
+                    smaller = std::min(smaller, bj.r);
+                }
+                if (!std::isfinite(speed) || !std::isfinite(list.overlap[k]))
+                {
+                    fail("is not finite", int(i), wall ? -1 : list.j[k], time);
+                }
+                if (list.overlap[k] > 0.9*smaller)
+                {
+                    fail
+                    (
+                        "has an overlap of " + std::to_string(list.overlap[k]/smaller)
+                      + " radii, more than any contact law covers",
+                        int(i), wall ? -1 : list.j[k], time
+                    );
+                }
+                report.maxOverlapOverDiameter = std::max
+                (
+                    report.maxOverlapOverDiameter, list.overlap[k]/(2*smaller)
+                );
+
+                const int mi = particles_[i].material;
+                const PairConstants& p = materials_.constants(mi, e.materialJ);
+                const bool sliding =
+                    materials_.settings(mi, e.materialJ).tangential.model
+                 != none::model;
+                double period = contactPeriod
+                (
+                    p, e.R, e.m, e.a0, list.overlap[k], std::fabs(speed), sliding
+                );
+                if (e.yield > 0)
+                {
+                    const double growth =
+                        1 + std::pow(std::max(list.overlap[k], 0.0)*e.R, 0.75)
+                           /std::pow(e.a0, 1.5);
+                    period = std::min
+                    (
+                        period,
+                        rollingPeriod
+                        (
+                            4*materials_.laws()[l]->pullOff(p.resistanceGamma, e.R),
+                            e.R, e.invInertia, growth
+                        )
+                    );
+                }
+                shortest = std::min(shortest, period);
+            }
+        }
+    }
+    return shortest/time_.stepsPerContact;
+}
+
+
+//- Earliest time at which a new contact could begin
+double IslandIntegrator::timeToTouch(bool contact) const
+{
+    double shortest = 1e300;
+    const auto pair = [&](const Candidate& c)
+    {
+        if
+        (
+            c.touching
+         || (rest_[std::size_t(c.i)].resting && rest_[std::size_t(c.j)].resting)
+        ) return;
+        Vec3 n;
+        const double g = gap(c, n);
+        const double closing =
+            (vec(bodies_[std::size_t(c.i)].v) - vec(bodies_[std::size_t(c.j)].v)).dot(n);
+        const double bound =
+            contact ? 0 : accelerationBound(c.i) + accelerationBound(c.j);
+        shortest = std::min(shortest, closingTime(g, closing, bound));
+    };
+
+    if (contact)
+    {
+        for (const int c : near_) pair(candidates_[std::size_t(c)]);
+        for (const int i : awake_)
+        {
+            const std::size_t k = std::size_t(i);
+            for (std::size_t c = 0; c < hits_[k].size(); ++c)
+            {
+                if (hitTaken_[k][c]) continue;
+                shortest = std::min
+                (
+                    shortest,
+                    closingTime
+                    (
+                        hits_[k][c].distance - bodies_[k].r,
+                        vec(bodies_[k].v).dot(hits_[k][c].n), 0
+                    )
+                );
+            }
+        }
+    }
+    else
+    {
+        for (const Candidate& c : candidates_) pair(c);
+        for (const int i : awake_)
+        {
+            const std::size_t k = std::size_t(i);
+            const std::size_t first = k ? surfaceEnd_[k - 1] : 0;
+            shortest = std::min
+            (
+                shortest,
+                wallSearch_.timeToTouch
+                (
+                    vec(bodies_[k].x), vec(bodies_[k].v), accelerationBound(i),
+                    bodies_[k].r, surfaces_.data() + first, surfaceEnd_[k] - first
+                )
+            );
+        }
+    }
+    return shortest;
+}
+
+
+//- Time after which a contact ends, if within h; else 1e300
+double IslandIntegrator::timeToEnd(double h) const
+{
+    double shortest = 1e300;
+    for (const LawLists& l : lists_)
+    {
+        for (const bool wall : {false, true})
+        {
+            const ContactList& list = wall ? l.walls : l.pairs;
+            for (std::size_t k = 0; k < list.size(); ++k)
+            {
+                const Entry& e = entries_[std::size_t(list.tag[k])];
+                const double left = list.overlap[k] + e.neck;
+                // most contacts are nowhere near their end
+                if (left > fastest_*2*h) continue;
+                const Body& bi = bodies_[std::size_t(list.i[k])];
+                double opening;
+                if (wall)
+                {
+                    opening =
+                      -(bi.v[0]*list.nx[k] + bi.v[1]*list.ny[k] + bi.v[2]*list.nz[k]);
+                }
+                else
+                {
+                    const Body& bj = bodies_[std::size_t(list.j[k])];
+                    const Vec3 n = (vec(bj.x) - vec(bi.x)).normalized();
+                    opening = (vec(bj.v) - vec(bi.v)).dot(n);
+                }
+                if (opening > 0) shortest = std::min(shortest, left/opening);
+            }
+        }
+    }
+    return shortest < h ? shortest : 1e300;
+}
+
+
+// * * * * * * * * * * * * * * * * * * Rest * * * * * * * * * * * * * * * * * * * * * * //
+
+void IslandIntegrator::checkRest(double elapsed, StepReport& report)
+{
+    if (time_.restTolerance <= 0) return;
+
+    weakest_.assign(particles_.size(), {1e300, 1e300, 0});
+    double window = 0;
+    for (const LawLists& l : lists_)
+    {
+        for (const bool wall : {false, true})
+        {
+            const ContactList& list = wall ? l.walls : l.pairs;
+            for (std::size_t k = 0; k < list.size(); ++k)
+            {
+                const Entry& e = entries_[std::size_t(list.tag[k])];
+                const double delta = e.a0*e.a0/(3*e.R);
+                const int partners[2] = {list.i[k], wall ? -1 : list.j[k]};
+                for (const int p : partners)
+                {
+                    if (p < 0) continue;
+                    Weakest& w = weakest_[std::size_t(p)];
+                    if (e.pullOff < w.pullOff) w = {e.pullOff, delta, e.yield};
+                }
+                if (e.pullOff > 0)
+                {
+                    // T_n at A = 1: k_N = 3.6 F_C R/a0^2
+                    window = std::max
+                    (
+                        window,
+                        2*M_PI*std::sqrt(e.m*e.a0*e.a0/(3.6*e.pullOff*e.R))
+                    );
+                }
+            }
+        }
+    }
+    window *= windowPeriods;
+
+    bool due = false;
+    for (const int i : awake_)
+    {
+        const std::size_t k = std::size_t(i);
+        const Weakest& w = weakest_[k];
+        RestState& rest = rest_[k];
+        if (!(w.pullOff > 0 && w.pullOff < 1e300))
+        {
+            rest.quietTime = 0;
+            continue;
+        }
+        const Body& b = bodies_[k];
+        const Vec3 v = vec(b.v), omega = vec(b.w);
+        const double energy = 0.5*(b.m*v.squaredNorm() + b.I*omega.squaredNorm());
+        const Vec3 force =
+            vec(loads_[k].f) + gas_[k].Sp*(gas_[k].Uc - v) + gas_[k].Su;
+        const double tolerance = time_.restTolerance;
+        const bool quiet =
+            energy < tolerance*quietEnergy*w.pullOff*w.delta
+         && force.norm() < tolerance*quietForce*w.pullOff
+         && vec(loads_[k].t).norm()
+          < tolerance*std::max(quietTorque*w.pullOff*b.r, w.yield);
+        rest.quietTime = quiet ? rest.quietTime + elapsed : 0;
+        due = due || rest.quietTime >= window;
+    }
+    if (!due) return;
+
+    // clusters: a member that is not quiet, or no wall, keeps all awake
+    std::vector<int> root(particles_.size());
+    for (std::size_t i = 0; i < root.size(); ++i) root[i] = int(i);
+    const auto find = [&](int i)
+    {
+        while (root[std::size_t(i)] != i) i = root[std::size_t(i)] = root[std::size_t(root[std::size_t(i)])];
+        return i;
+    };
+    std::vector<char> held(particles_.size(), 0);
+    for (const LawLists& l : lists_)
+    {
+        for (std::size_t k = 0; k < l.pairs.size(); ++k)
+        {
+            const int a = find(l.pairs.i[k]), b = find(l.pairs.j[k]);
+            root[std::size_t(std::max(a, b))] = std::min(a, b);
+        }
+    }
+    for (const LawLists& l : lists_)
+    {
+        for (std::size_t k = 0; k < l.walls.size(); ++k)
+        {
+            held[std::size_t(find(l.walls.i[k]))] = 1;
+        }
+    }
+    for (const int i : awake_)
+    {
+        if (rest_[std::size_t(i)].quietTime < window) held[std::size_t(find(i))] = 0;
+    }
+
+    std::size_t kept = 0;
+    for (const int i : awake_)
+    {
+        const std::size_t k = std::size_t(i);
+        if (!held[std::size_t(find(i))])
+        {
+            awake_[kept++] = i;
+            continue;
+        }
+        Body& b = bodies_[k];
+        report.energyRemovedByRest +=
+            0.5*(b.m*vec(b.v).squaredNorm() + b.I*vec(b.w).squaredNorm());
+        for (int d = 0; d < 3; ++d)
+        {
+            b.v[d] = b.vHalf[d] = b.w[d] = b.wHalf[d] = 0;
+        }
+        RestState& rest = rest_[k];
+        rest.resting = true;
+        const Vec3 gasForce = gasForceAtRest(gas_[k]);
+        for (int d = 0; d < 3; ++d) rest.force[d] = gasForce[d];
+        const Weakest& w = weakest_[k];
+        rest.wakeForce =
+            time_.restTolerance*wakeForceChange
+           *(w.yield > 0 ? std::min(w.pullOff, w.yield/b.r) : w.pullOff);
+        ++report.sleeps;
+    }
+    if (kept == awake_.size()) return;
+    awake_.resize(kept);
+
+    for (LawLists& l : lists_)
+    {
+        for (const bool wall : {false, true})
+        {
+            ContactList& list = wall ? l.walls : l.pairs;
+            for (std::size_t k = list.size(); k-- > 0;)
+            {
+                if (!rest_[std::size_t(list.i[k])].resting) continue;
+                store(list, k, wall);
+                const int candidate = entries_[std::size_t(list.tag[k])].candidate;
+                remove(list, k);
+                // it still touches: only a wake brings it back
+                if (candidate >= 0) candidates_[std::size_t(candidate)].touching = true;
+            }
+        }
+    }
+    refreshNear();
+}
+
+
+void IslandIntegrator::fail
+(
+    const std::string& what, int i, int j, double time
+) const
+{
+    std::ostringstream s;
+    const Particle& p = particles_[std::size_t(i)];
+    const Body& b = bodies_[std::size_t(i)];
+    s.precision(9);
+    s   << "The contact of particle " << p.id << " with ";
+    if (j < 0) s << "a wall";
+    else s << "particle " << particles_[std::size_t(j)].id;
+    s   << " " << what << " at time " << time << " s: position ("
+        << b.x[0] << " " << b.x[1] << " " << b.x[2] << ") m, velocity ("
+        << b.v[0] << " " << b.v[1] << " " << b.v[2] << ") m/s, radius "
+        << p.radius << " m";
+    throw numericalError(s.str());
+}
+
+
+void IslandIntegrator::run(double dt, double time, StepReport& report)
+{
+    const std::size_t n = particles_.size();
+    bodies_.resize(n);
+    loads_.assign(n, Load{});
+    awake_.clear();
+    smallest_ = 1e300;
+    flightStep_ = -1;
+    for (std::size_t i = 0; i < n; ++i)
+    {
+        const Particle& p = particles_[i];
+        Body& b = bodies_[i];
+        const double inertia = 0.4*p.mass*p.radius*p.radius;
+        for (int d = 0; d < 3; ++d)
+        {
+            b.x[d] = p.x[d];
+            b.v[d] = b.vHalf[d] = p.v[d];
+            b.w[d] = b.wHalf[d] = p.omega[d];
+        }
+        b.r = p.radius;
+        b.m = p.mass;
+        b.invM = 1/p.mass;
+        b.I = inertia;
+        b.invI = 1/inertia;
+        smallest_ = std::min(smallest_, p.radius);
+        if (!rest_[i].resting) awake_.push_back(int(i));
+    }
+
+    activateStored();
+    for (Candidate& c : candidates_)
+    {
+        if (!rest_[std::size_t(c.i)].resting) continue;
+        for (const Stored& s : stored_[std::size_t(c.i)])
+        {
+            if (s.j == c.j) c.touching = true;
+        }
+    }
+
+    // No particle can be faster in this step, but for contact forces
+    double speedBound = 0;
+    for (const int i : awake_)
+    {
+        const std::size_t k = std::size_t(i);
+        const FlightFactors f(gas_[k].Sp*bodies_[k].invM, dt);
+        speedBound = std::max
+        (
+            speedBound, vec(bodies_[k].v).norm() + accelerationBound(i)*f.p1
+        );
+    }
+    refreshNear();
+    for (std::size_t i = 0; i < n; ++i)
+    {
+        if (rest_[i].resting && wakes(rest_[i], gas_[i])) wakeCluster(int(i), report);
+    }
+
+    updateWalls();
+    evaluate(0, report);
+    endMarked(report);
+    form(report);
+
+    double t = 0, h = 0, sinceLook = 0;
+    int looked = stepsBetweenLooks, shortened = 0;
+    std::int64_t flights = 0;
+    while (t < dt && !awake_.empty())
+    {
+        const double left = dt - t;
+        double now;
+        if (anyContact())
+        {
+            if (looked >= stepsBetweenLooks)
+            {
+                h = contactStep(time + t, report);
+                looked = 0;
+            }
+            // equal steps up to the end of the particle step
+            now = left/std::ceil(left/h*(1 - 1e-12));
+            exactEvents_ = candidates_.size() < denseIsland;
+            if (exactEvents_ && shortened < 3)
+            {
+                const double event = std::min(timeToTouch(true), timeToEnd(now));
+                if (event < now)
+                {
+                    // a little beyond, so that it has happened
+                    now = std::min(now, std::max(event*(1 + 1e-9), 1e-3*h));
+                    ++shortened;
+                }
+                else shortened = 0;
+            }
+            else shortened = 0;
+            ++report.contactSteps;
+            ++looked;
+            sinceLook += now;
+        }
+        else
+        {
+            // touch within 1e-7 radii
+            const double floor =
+                1e-7*smallest_/std::max({fastest_, speedBound, 1e-300});
+            now = std::min(left, std::max(timeToTouch(false), floor));
+            looked = stepsBetweenLooks;
+            sinceLook = 0;
+            if (++flights > 10000000)
+            {
+                fail("is approached in too many steps", awake_[0], -1, time + t);
+            }
+        }
+
+        step(now, report);
+        t = now < left ? t + now : dt;
+
+        bool event = endMarked(report);
+        event = form(report) || event;
+        if (event) looked = stepsBetweenLooks;
+        if (looked >= stepsBetweenLooks && sinceLook > 0)
+        {
+            checkRest(sinceLook, report);
+            sinceLook = 0;
+        }
+    }
+
+    // steps in the shortest contact, as taken
+    if (anyContact())
+    {
+        const double needed = contactStep(time + dt, report)*time_.stepsPerContact;
+        if (flightStep_ > 0)
+        {
+            report.minStepsPerContact =
+                std::min(report.minStepsPerContact, needed/std::max(flightStep_, 1e-300));
+        }
+    }
+
+    for (LawLists& l : lists_)
+    {
+        for (std::size_t k = 0; k < l.pairs.size(); ++k) store(l.pairs, k, false);
+        for (std::size_t k = 0; k < l.walls.size(); ++k) store(l.walls, k, true);
+    }
+    for (auto& s : stored_)
+    {
+        std::stable_sort
+        (
+            s.begin(), s.end(),
+            [](const Stored& a, const Stored& b)
+            {
+                return
+                    std::lexicographical_compare
+                    (
+                        &a.record.idJ, &a.record.idJ + 1, &b.record.idJ, &b.record.idJ + 1
+                    )
+                 || (
+                        a.record.idJ == b.record.idJ
+                     && std::lexicographical_compare
+                        (
+                            a.record.n, a.record.n + 3, b.record.n, b.record.n + 3
+                        )
+                    );
+            }
+        );
+    }
+    for (RestState& r : rest_) r.inContact = false;
+    for (std::size_t i = 0; i < n; ++i)
+    {
+        for (const Stored& s : stored_[i])
+        {
+            rest_[i].inContact = true;
+            if (s.j >= 0) rest_[std::size_t(s.j)].inContact = true;
+        }
+        Particle& p = particles_[i];
+        const Body& b = bodies_[i];
+        p.x = vec(b.x);
+        p.v = vec(b.v);
+        p.omega = vec(b.w);
+        if (!p.x.allFinite() || !p.v.allFinite() || !p.omega.allFinite())
+        {
+            fail("is not finite", int(i), -1, time + dt);
+        }
+    }
+}
+
+}

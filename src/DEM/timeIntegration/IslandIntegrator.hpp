@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Moves the particles of one island over one particle step.
+//
+// Without a contact the island flies in closed form to its next touch. With one it takes
+// contact steps of h = T/stepsPerContact, T the shortest period of its contacts as they are
+// now (contactPeriod.hpp). One contact step, v_n -> v_n+1:
+//     v_h = v_n + (h/2) F_n/m              kick by contact forces
+//     x, v_h moved by the exact flight     drag, gravity
+//     F_n+1 from x_n+1 and the predictor v_h + (h/2) F_n/m
+//     v_n+1 = v_h + (h/2) F_n+1/m
+// which is of second order, damping included. Small islands end a step exactly where a
+// contact begins or ends, because the force jumps there.
+//
+// Rest: a cluster that holds on to a wall falls asleep when for a whole window (3 normal
+// periods) each member has had
+//     kinetic energy < 0.1 F_C delta_0,  |force| < 0.1 F_C,
+//     |torque| < max(0.02 F_C r, M_y)     (M_y: rolling yields)
+// times restTolerance, F_C the weakest of its contacts as softened. delta_0 stands for the
+// neck of laws that have none. It wakes when an awake particle touches it, or when the gas
+// force on a member has changed by 0.1 min(F_C, M_y/r).
+#pragma once
+
+#include "contacts/ContactRecord.hpp"
+#include "particles/GasLoad.hpp"
+#include "particles/Particle.hpp"
+#include "system/StepReport.hpp"
+#include "timeIntegration/TimeSettings.hpp"
+#include "walls/WallSearch.hpp"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace dem
+{
+
+//- Whether a resting particle must wake because its gas load has changed, or because it was
+//  moved from outside (negative wakeForce)
+inline bool wakes(const RestState& rest, const GasLoad& gas)
+{
+    if (rest.wakeForce < 0) return true;
+    const Vec3 now = gas.Sp*gas.Uc + gas.Su;
+    const Vec3 then(rest.force[0], rest.force[1], rest.force[2]);
+    return (now - then).squaredNorm() > rest.wakeForce*rest.wakeForce;
+}
+
+class IslandIntegrator
+{
+public:
+
+    IslandIntegrator
+    (
+        const MaterialTable& materials,
+        const TimeSettings& time,
+        const WallSearch& walls
+    );
+
+    // Loading, in this order: particles, their wall surfaces, candidates, contacts
+
+        void clear();
+
+        //- Particles in order of id
+        void addParticle(const Particle& p, const GasLoad& g, const RestState& rest);
+
+        //- Surfaces that the last particle can reach in this step
+        void addSurfaces(const std::vector<int>& surfaces);
+
+        //- Two particles (i < j) that can touch in this step, in order of i, then j
+        void addCandidate(int i, int j);
+
+        //- A contact of particle i (with local particle j, or with a wall: j = -1)
+        void addContact(int i, int j, const ContactRecord& record);
+
+
+    //- Move everything over dt; time [s] is only for messages. Errors: numericalError
+    void run(double dt, double time, StepReport& report);
+
+
+    // Results
+
+        std::size_t size() const { return particles_.size(); }
+        const Particle& particle(int i) const { return particles_[std::size_t(i)]; }
+        const Vec3& gasImpulse(int i) const { return impulse_[std::size_t(i)]; }
+        const RestState& rest(int i) const { return rest_[std::size_t(i)]; }
+
+        //- Contacts of particle i as the lower partner
+        std::vector<ContactRecord> contacts(int i) const;
+
+
+private:
+
+    struct Candidate
+    {
+        int i, j;
+        bool touching;
+    };
+
+    //- A contact that is not in a list: of a sleeping cluster, or before and after run()
+    struct Stored
+    {
+        int j;              // local partner, -1 = wall
+        ContactRecord record;
+    };
+
+    //- What a list entry refers to, by its tag
+    struct Entry
+    {
+        int candidate;      // pairs: index into candidates_
+        int materialJ;
+        double neck;        // the contact ends at overlap -neck [m]
+        double pullOff;     // [N]
+        double yield;       // rolling yield moment [N m], 0 = none
+        double a0, R, m;
+        double invInertia;  // 1/I_i + 1/I_j [1/(kg m2)]
+    };
+
+    struct LawLists
+    {
+        ContactList pairs, walls;
+    };
+
+    //- Weakest contact of a particle, for the rest criterion
+    struct Weakest
+    {
+        double pullOff, delta, yield;
+    };
+
+    //- Flight over the current h, per particle
+    struct Flight
+    {
+        double e, p1, p2, eSpin;
+        double b[3];
+    };
+
+    // Contacts
+    void begin(int i, int j, int patch, int candidate, const ContactRecord* record);
+    void remove(ContactList& list, std::size_t k);
+    void store(const ContactList& list, std::size_t k, bool wall);
+    bool endMarked(StepReport& report);
+    bool form(StepReport& report);
+    int findCandidate(int i, int j) const;
+    void activateStored();
+    void wakeCluster(int i, StepReport& report);
+
+    // Stepping
+    void step(double h, StepReport& report);
+    void setFlight(double h);
+    void evaluate(double h, StepReport& report);
+    void updateWalls();
+    void refreshNear();
+    double contactStep(double time, StepReport& report);
+    double timeToTouch(bool contact) const;
+    double timeToEnd(double h) const;
+    void checkRest(double elapsed, StepReport& report);
+    double gap(const Candidate& c, Vec3& n) const;
+    double accelerationBound(int i) const;
+    bool anyContact() const;
+    void fail(const std::string& what, int i, int j, double time) const;
+
+    const MaterialTable& materials_;
+    TimeSettings time_;
+    const WallSearch& wallSearch_;
+
+    std::vector<Particle> particles_;
+    std::vector<GasLoad> gas_;
+    std::vector<RestState> rest_;
+    std::vector<Vec3> impulse_;
+    std::vector<double> reach_;             // longest neck [m]
+    std::vector<std::vector<Stored>> stored_;
+    std::vector<Candidate> candidates_;
+    std::vector<std::size_t> surfaceEnd_;   // of each particle in surfaces_
+    std::vector<int> surfaces_;
+
+    std::vector<Body> bodies_;
+    std::vector<Load> loads_;
+    std::vector<Flight> flight_;
+    std::vector<int> awake_;
+    std::vector<LawLists> lists_;           // by law
+    std::vector<Entry> entries_;
+    std::vector<int> freeEntries_;
+    std::vector<int> near_;                 // candidates within the skin
+    std::vector<std::vector<int>> nearSurfaces_;
+    std::vector<std::vector<WallHit>> hits_;
+    std::vector<std::vector<char>> hitTaken_;
+    std::vector<Weakest> weakest_;
+
+    double flightStep_ = -1;    // h that flight_ is made for
+    double skin_ = 0;           // [m] how far beyond touch near_ looks
+    double moved_ = 0;          // [m] path of the fastest since refreshNear()
+    double fastest_ = 0;        // [m/s]
+    double smallest_ = 0;       // [m] radius
+    bool exactEvents_ = true;   // end steps where contacts begin and end
+};
+
+}

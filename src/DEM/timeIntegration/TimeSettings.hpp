@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace dem
+{
+
+struct TimeSettings
+{
+    //- Contact steps in the shortest period of a contact (normal or tangential) [-]
+    double stepsPerContact = 50;
+
+    //- Multiplies the sleep and wake tolerances [-]; 0 = nothing ever rests
+    double restTolerance = 1;
+
+    //- false: everything takes the contact step of the stiffest possible contact, as a
+    //  conventional DEM code does (exact, slow)
+    bool islands = true;
+};
+
+}

@@ -1,0 +1,780 @@
+/*---------------------------------------------------------------------------*\
+    dustFoam: adhesive dust in ventilation ducts
+-------------------------------------------------------------------------------
+License
+    This file is part of dustFoam.
+
+    dustFoam is free software: you can redistribute it and/or modify it under
+    the terms of the GNU General Public License as published by the Free
+    Software Foundation, either version 3 of the License, or (at your option)
+    any later version.
+
+    dustFoam is distributed in the hope that it will be useful, but WITHOUT ANY
+    WARRANTY; without even the implied warranty of MERCHANTABILITY or FITNESS
+    FOR A PARTICULAR PURPOSE.  See the GNU General Public License for more
+    details.
+
+    You should have received a copy of the GNU General Public License along
+    with dustFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "dustCloudData.H"
+#include "dustSnapshot.H"
+#include "patchWalls.H"
+
+#include "distributionModel.H"
+#include "IStringStream.H"
+#include "vectorIOField.H"
+#include "wallPolyPatch.H"
+
+#include "InjectionModelList.H"
+#include "DispersionModel.H"
+#include "PatchInteractionModel.H"
+#include "StochasticCollisionModel.H"
+#include "SurfaceFilmModel.H"
+
+#include <cmath>
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+const Foam::word& Foam::dustCloud::checkInput
+(
+    const word& cloudName,
+    const volScalarField& rho
+)
+{
+    const fvMesh& mesh = rho.mesh();
+
+    const IOdictionary properties
+    (
+        IOobject
+        (
+            cloudName + "Properties",
+            mesh.time().constant(),
+            mesh,
+            IOobject::MUST_READ,
+            IOobject::NO_WRITE,
+            false
+        )
+    );
+
+    wordList known(dustProperties::blocks());
+    known.append
+    (
+        wordList
+        ({
+            "FoamFile", "coupling", "gas", "couplingMassLoading",
+            "progressInterval", "solution", "constantProperties", "subModels",
+            "cloudFunctions"
+        })
+    );
+    dustProperties::checkKeywords(properties, known);
+
+    // Throws away what it reads: only the messages matter here
+    const dustProperties materials(properties);
+
+    const dictionary& subModels = properties.subDict("subModels");
+
+    // OpenFOAM's models may have a sub-dictionary <model>Coeffs each
+    wordList subModelKeys
+    ({
+        "injectionModels", "particleForces", "dispersionModel",
+        "patchInteractionModel", "stochasticCollisionModel", "surfaceFilmModel"
+    });
+    for (const entry& e : subModels)
+    {
+        if (e.isDict() && e.keyword().endsWith("Coeffs"))
+        {
+            subModelKeys.append(e.keyword());
+        }
+    }
+    dustProperties::checkKeywords(subModels, subModelKeys);
+
+    for
+    (
+        const word model :
+        {"patchInteractionModel", "stochasticCollisionModel", "surfaceFilmModel"}
+    )
+    {
+        if (subModels.get<word>(model) != "none")
+        {
+            dustProperties::error
+            (
+                subModels,
+                model,
+                "contacts with walls and particles are the DEM system's",
+                "none"
+            );
+        }
+    }
+
+    const dictionary& forces = subModels.subDict("particleForces");
+    if (forces.found("virtualMass"))
+    {
+        dustProperties::error
+        (
+            forces,
+            "virtualMass",
+            "the DEM system knows no added mass (in air it is about 1e-3 of "
+            "the particle's)",
+            "all other forces"
+        );
+    }
+
+    for (const entry& e : subModels.subDict("injectionModels"))
+    {
+        if (!e.isDict())
+        {
+            continue;
+        }
+        const dictionary& model = e.dict();
+
+        // One parcel is one particle
+        if (model.found("parcelBasisType"))
+        {
+            if (model.get<word>("parcelBasisType") != "fixed")
+            {
+                dustProperties::error
+                (
+                    model,
+                    "parcelBasisType",
+                    "each parcel is one particle",
+                    "fixed, with nParticle 1"
+                );
+            }
+            if (mag(model.get<scalar>("nParticle") - 1) > SMALL)
+            {
+                dustProperties::error
+                (
+                    model,
+                    "nParticle",
+                    "each parcel is one particle",
+                    "1"
+                );
+            }
+        }
+
+        const dictionary* sizesPtr = model.findDict("sizeDistribution");
+        if (sizesPtr)
+        {
+            const word type(sizesPtr->get<word>("type") + "Distribution");
+            const dictionary* valuesPtr = sizesPtr->findDict(type);
+
+            for (const word keyword : {"value", "minValue"})
+            {
+                scalar value;
+                if
+                (
+                    valuesPtr
+                 && valuesPtr->readIfPresent(keyword, value)
+                 && value <= 0
+                )
+                {
+                    dustProperties::error
+                    (
+                        *valuesPtr,
+                        keyword,
+                        "a diameter of " + Foam::name(value) + " m",
+                        "> 0 m"
+                    );
+                }
+            }
+        }
+
+        if
+        (
+            model.get<word>("type") == "manualInjection"
+         && !model.lookupOrDefault("ignoreOutOfBounds", false)
+        )
+        {
+            const vectorIOField positions
+            (
+                IOobject
+                (
+                    model.get<string>("positionsFile"),
+                    mesh.time().constant(),
+                    mesh,
+                    IOobject::MUST_READ,
+                    IOobject::NO_WRITE,
+                    false
+                )
+            );
+            boolList inside(positions.size(), false);
+            forAll(positions, i)
+            {
+                inside[i] = mesh.findCell(positions[i]) >= 0;
+            }
+            Pstream::listCombineGather(inside, orEqOp<bool>());
+            Pstream::listCombineScatter(inside);
+
+            const label i = inside.find(false);
+            if (i >= 0)
+            {
+                dustProperties::error
+                (
+                    model,
+                    "positionsFile",
+                    "particle " + Foam::name(i) + " of "
+                  + positions.objectPath() + " at ("
+                  + Foam::name(positions[i].x()) + " "
+                  + Foam::name(positions[i].y()) + " "
+                  + Foam::name(positions[i].z()) + ") is outside the mesh",
+                    "positions inside, or ignoreOutOfBounds true"
+                );
+            }
+        }
+    }
+
+    return cloudName;
+}
+
+
+void Foam::dustCloud::addArrivals()
+{
+    dem::System& system = *dem_->system;
+
+    for (dustParcel& p : *this)
+    {
+        if (p.demIndex() >= 0)
+        {
+            continue;
+        }
+
+        dem::Particle particle;
+        particle.id = p.id();
+        particle.material = dem_->material;
+        particle.radius = 0.5*p.d();
+        particle.mass = p.mass();
+        particle.x = toVec3(p.x());
+        particle.v = toVec3(p.U());
+        particle.omega = toVec3(p.omega());
+
+        try
+        {
+            p.demIndex() = label(system.add(particle));
+            p.loaded() = false;
+
+            if (p.blob().size())
+            {
+                system.unpackState
+                (
+                    std::size_t(p.demIndex()),
+                    std::vector<double>(p.blob().begin(), p.blob().end())
+                );
+                p.blob().clear();
+            }
+        }
+        catch (const dem::inputError& e)
+        {
+            FatalErrorInFunction
+                << "Particle " << p.origProc() << ':' << p.origId() << " at "
+                << p.x() << ", diameter " << p.d() << " m, cannot be added: "
+                << e.what() << exit(FatalError);
+        }
+    }
+
+    leaving_.assign(system.size(), 0);
+}
+
+
+void Foam::dustCloud::removeLeavers()
+{
+    // New index of those that stay
+    labelList index(label(leaving_.size()), -1);
+    label n = 0;
+    forAll(index, i)
+    {
+        if (!leaving_[std::size_t(i)])
+        {
+            index[i] = n++;
+        }
+    }
+
+    if (n == index.size())
+    {
+        return;
+    }
+
+    dem_->system->remove(leaving_);
+
+    for (dustParcel& p : *this)
+    {
+        if (p.demIndex() >= 0)
+        {
+            p.demIndex() = index[p.demIndex()];
+        }
+    }
+    leaving_.assign(dem_->system->size(), 0);
+}
+
+
+void Foam::dustCloud::readSizes()
+{
+    demData& d = *dem_;
+    label n = 0;
+
+    for (const entry& e : subModelProperties_.subDict("injectionModels"))
+    {
+        if (!e.isDict() || !e.dict().found("sizeDistribution"))
+        {
+            continue;
+        }
+        Random random(0);
+        const autoPtr<distributionModel> sizes
+        (
+            distributionModel::New
+            (
+                e.dict().subDict("sizeDistribution"),
+                random
+            )
+        );
+
+        d.diameters[0] =
+            n ? min(d.diameters[0], sizes->minValue()) : sizes->minValue();
+        d.diameters[1] = (n*d.diameters[1] + sizes->meanValue())/(n + 1);
+        d.diameters[2] = max(d.diameters[2], sizes->maxValue());
+        ++n;
+
+        // The mean cube by samples: no model tells it
+        const label nSamples = 1000;
+        scalar d3 = 0;
+        for (label i = 0; i < nSamples; ++i)
+        {
+            d3 += pow3(sizes->sample())/nSamples;
+        }
+        d.massFlow +=
+            e.dict().lookupOrDefault<scalar>("parcelsPerSecond", 0)
+           *density_*constant::mathematical::pi/6*d3;
+    }
+}
+
+
+Foam::scalar Foam::dustCloud::expectedMassLoading() const
+{
+    // Dust that is there over gas that is there
+    const scalar gasMass = gSum(rho_.primitiveField()*mesh_.V().field());
+    scalar loading = returnReduce(massInSystem(), sumOp<scalar>())/gasMass;
+
+    // Dust over gas that flows in
+    scalar gasFlow = 0;
+    for (const fvPatch& patch : mesh_.boundary())
+    {
+        if (!patch.coupled())
+        {
+            const label i = patch.index();
+            gasFlow += gSum
+            (
+                rho_.boundaryField()[i]
+               *max(-(U_.boundaryField()[i] & patch.Sf()), scalar(0))
+            );
+        }
+    }
+
+    if (gasFlow > 0)
+    {
+        loading += dem_->massFlow/gasFlow;
+    }
+
+    return loading;
+}
+
+
+void Foam::dustCloud::decideCoupling()
+{
+    demData& d = *dem_;
+    const dictionary& dict = particleProperties_;
+
+    const auto choice = [&dict](const word& keyword, const wordList& allowed)
+    {
+        const word value(dict.lookupOrDefault<word>(keyword, "auto"));
+        if (!allowed.found(value))
+        {
+            string list;
+            for (const word& w : allowed)
+            {
+                list += (list.empty() ? "" : ", ") + w;
+            }
+            dustProperties::error
+            (
+                dict,
+                keyword,
+                "unknown value '" + value + "'",
+                list
+            );
+        }
+        return value;
+    };
+
+    d.coupling = choice("coupling", {"oneWay", "twoWay", "auto"});
+    d.gas = choice("gas", {"solved", "frozen", "auto"});
+    d.massLoadingLimit =
+        dict.lookupOrDefault<scalar>("couplingMassLoading", 0.02);
+
+    if (d.coupling == "auto")
+    {
+        const scalar loading = expectedMassLoading();
+        twoWay_ = loading > d.massLoadingLimit;
+        d.couplingReason =
+            "auto: mass loading " + Foam::name(loading)
+          + (twoWay_ ? " above " : " below ")
+          + Foam::name(d.massLoadingLimit) + " (couplingMassLoading)";
+    }
+    else
+    {
+        twoWay_ = d.coupling == "twoWay";
+        d.couplingReason = "coupling " + d.coupling;
+    }
+
+    // A flow that comes from a solver is not uniform
+    const scalar spread =
+        returnReduce(max(mag(U_.primitiveField() - U_[0])), maxOp<scalar>());
+
+    if (d.gas == "auto")
+    {
+        gasFrozen_ = !twoWay_ && spread > 1e-6*d.gasSpeed;
+        d.gasReason =
+            twoWay_ ? "auto: the gas feels the particles"
+          : gasFrozen_
+          ? "auto: one-way, and U at the start comes from a flow solver"
+          : "auto: U at the start is uniform, so still to be solved";
+    }
+    else
+    {
+        gasFrozen_ = d.gas == "frozen";
+        d.gasReason = "gas " + d.gas;
+    }
+
+    if (gasFrozen_ && twoWay_)
+    {
+        dustProperties::error
+        (
+            dict,
+            "gas",
+            "a frozen gas cannot feel the particles (" + d.couplingReason
+          + ")",
+            "gas frozen with coupling oneWay, or gas solved"
+        );
+    }
+
+    // OpenFOAM's own switch, and what it wants with it
+    dictionary& solution = particleProperties_.subDict("solution");
+    solution.set("coupled", twoWay_ ? "true" : "false");
+    if (twoWay_ && !solution.found("sourceTerms"))
+    {
+        solution.set
+        (
+            "sourceTerms",
+            dictionary(IStringStream("schemes { U semiImplicit 1; }")())
+        );
+    }
+    solution_.read();
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::dustCloud::dustCloud
+(
+    const word& cloudName,
+    const volScalarField& rho,
+    const volVectorField& U,
+    const volScalarField& mu,
+    const dimensionedVector& g
+)
+:
+    KinematicCloud<Cloud<dustParcel>>
+    (
+        checkInput(cloudName, rho),
+        rho,
+        U,
+        mu,
+        g
+    ),
+    dem_(new demData(particleProperties_)),
+    density_(0),
+    gasFrozen_(false),
+    twoWay_(false),
+    escaped_(mesh_.boundaryMesh().nNonProcessor()),
+    escaping_(escaped_.size()),
+    nextId_(0),
+    snapshotTimeIndex_(-1)
+{
+    if (!solution_.active() || solution_.steadyState())
+    {
+        FatalIOErrorInFunction(particleProperties_)
+            << "solution needs 'active true' and 'transient yes', and"
+            << " system/fvSchemes a transient ddtScheme, for example Euler,"
+            << " for a frozen gas, too" << exit(FatalIOError);
+    }
+
+    demData& d = *dem_;
+
+    for (const vector& Ui : U_.primitiveField())
+    {
+        if (!std::isfinite(magSqr(Ui)))
+        {
+            FatalErrorInFunction
+                << "Field " << U_.name() << " of time "
+                << mesh_.time().timeName() << " has values that are not finite"
+                << " numbers" << exit(FatalError);
+        }
+    }
+    d.gasSpeed = returnReduce
+    (
+        max(mag(U_.primitiveField())()),
+        maxOp<scalar>()
+    );
+    d.gasViscosity = gMax(mu_.primitiveField());
+
+    d.startTime = mesh_.time().value();
+    d.progressInterval = particleProperties_.lookupOrDefault<scalar>
+    (
+        "progressInterval",
+        5
+    );
+    d.dispersion =
+        subModelProperties_.get<word>("dispersionModel") != "none";
+
+    for (const dem::Material& m : d.properties.materials())
+    {
+        if (m.name == d.properties.dustMaterial())
+        {
+            density_ = m.density;
+        }
+    }
+    readSizes();
+
+    // Softest particles that keep to the limits
+    if (d.properties.automaticRatio())
+    {
+        d.properties.setRatio(1);
+        const dem::MaterialTable real = d.properties.table();
+        const int dust = real.index(d.properties.dustMaterial());
+        const auto& limits = d.properties.limits();
+        const scalar diameter =
+            d.diameters[1] > 0 ? d.diameters[1] : scalar(1e-5);
+        const scalar mass =
+            real.materials()[std::size_t(dust)].density
+           *constant::mathematical::pi/6*pow3(diameter);
+
+        scalar ratio = limits.ratio;
+        for (int i = 0; i < int(real.materials().size()); ++i)
+        {
+            const bool wall = i != dust;
+
+            ratio = max
+            (
+                ratio,
+                dem::softestRatioForMargin
+                (
+                    real.constants(dust, i).realGamma,
+                    d.gasViscosity,
+                    max(d.gasSpeed, VSMALL),
+                    limits.pullOffOverForce,
+                    wall
+                )
+            );
+
+            // Overlaps grow as chi^(-2/5)
+            const dem::ContactFigures f = real.figures
+            (
+                dust,
+                i,
+                0.5*diameter,
+                wall ? -1 : 0.5*diameter,
+                mass,
+                wall ? 0 : mass,
+                max(d.gasSpeed, VSMALL)
+            );
+            ratio = max
+            (
+                ratio,
+                pow(f.impactOverlap/diameter/limits.overlap, 2.5)
+            );
+        }
+        d.properties.setRatio(min(ratio, scalar(1)));
+    }
+
+    try
+    {
+        d.system.reset
+        (
+            new dem::System
+            (
+                d.properties.table(),
+                d.properties.time(),
+                d.comm.get()
+            )
+        );
+        d.material = d.system->materials().index(d.properties.dustMaterial());
+        d.system->setWalls
+        (
+            patchWalls::New
+            (
+                mesh_,
+                particleProperties_,
+                d.system->materials()
+            )
+        );
+    }
+    catch (const dem::inputError& e)
+    {
+        dustProperties::error(particleProperties_, e);
+    }
+
+    for (const polyPatch& pp : mesh_.boundaryMesh())
+    {
+        if (isA<wallPolyPatch>(pp))
+        {
+            d.wallPatches.append(pp.index());
+        }
+    }
+
+    scalar rho0;
+    const dictionary constants
+    (
+        particleProperties_.subOrEmptyDict("constantProperties")
+    );
+    if
+    (
+        constants.readIfPresent("rho0", rho0)
+     && mag(rho0 - density_) > 1e-6*density_
+    )
+    {
+        dustProperties::error
+        (
+            constants,
+            "rho0",
+            "differs from the density of the material "
+          + d.properties.dustMaterial(),
+            Foam::name(density_) + ", or no rho0"
+        );
+    }
+
+    decideCoupling();
+
+    readCounters();
+    d.system->setTime(mesh_.time().value());
+    addArrivals();
+
+    printMaterials();
+    printPlan();
+}
+
+
+// * * * * * * * * * * * * * * * * Destructor  * * * * * * * * * * * * * * * //
+
+Foam::dustCloud::~dustCloud()
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::dustCloud::tally Foam::dustCloud::escaped() const
+{
+    tally sum;
+    forAll(escaped_, i)
+    {
+        sum.count += escaped_[i].count;
+        sum.mass += escaped_[i].mass;
+    }
+    return sum;
+}
+
+
+Foam::scalar Foam::dustCloud::marginLimit() const
+{
+    return dem_->properties.limits().pullOffOverForce;
+}
+
+
+Foam::tmp<Foam::volScalarField> Foam::dustCloud::voidFraction() const
+{
+    const scalar alphaMax =
+        constProps_.dict().lookupOrDefault<scalar>("alphaMax", 0.9);
+
+    tmp<volScalarField> talpha(1 - theta());
+    volScalarField& alpha = talpha.ref();
+
+    label nClipped = 0;
+    for (scalar& a : alpha.primitiveFieldRef())
+    {
+        if (a < 1 - alphaMax)
+        {
+            a = 1 - alphaMax;
+            ++nClipped;
+        }
+    }
+    alpha.correctBoundaryConditions();
+
+    reduce(nClipped, sumOp<label>());
+    if (nClipped && !dem_->warnedSize)
+    {
+        WarningInFunction
+            << nClipped << " cells hold more particles than alphaMax "
+            << alphaMax << " allows: their void fraction is kept at "
+            << 1 - alphaMax << endl;
+    }
+
+    return talpha;
+}
+
+
+void Foam::dustCloud::evolve(const scalar gasSeconds)
+{
+    demData& d = *dem_;
+    d.gasSeconds += gasSeconds;
+
+    if (!solution_.canEvolve())
+    {
+        return;
+    }
+
+    // Building the interpolators costs more than a particle step
+    if (!tdPtr_.valid())
+    {
+        dispersion().cacheFields(true);
+        forces_.cacheFields(true);
+        tdPtr_.reset(new dustParcel::trackingData(*this));
+
+        for (dustParcel& p : *this)
+        {
+            p.loaded() = false;
+        }
+    }
+
+    snapshotPtr_.reset();
+    functions_.preEvolve();
+
+    if (twoWay_)
+    {
+        resetSourceTerms();
+    }
+
+    inject(*tdPtr_);
+    motion(*tdPtr_);
+
+    if (twoWay_)
+    {
+        scaleSources();
+    }
+    updateCellOccupancy();
+    functions_.postEvolve();
+
+    if (!gasFrozen_)
+    {
+        tdPtr_.clear();
+        dispersion().cacheFields(false);
+        forces_.cacheFields(false);
+    }
+    solution_.nextIter();
+
+    const stopwatch checking;
+    checkLimits();
+    printProgress();
+    d.checkSeconds += checking.seconds();
+}
+
+
+// ************************************************************************* //

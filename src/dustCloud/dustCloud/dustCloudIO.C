@@ -1,0 +1,302 @@
+/*---------------------------------------------------------------------------*\
+    dustFoam: adhesive dust in ventilation ducts
+-------------------------------------------------------------------------------
+License
+    This file is part of dustFoam.
+
+    dustFoam is free software: you can redistribute it and/or modify it under
+    the terms of the GNU General Public License as published by the Free
+    Software Foundation, either version 3 of the License, or (at your option)
+    any later version.
+
+    dustFoam is distributed in the hope that it will be useful, but WITHOUT ANY
+    WARRANTY; without even the implied warranty of MERCHANTABILITY or FITNESS
+    FOR A PARTICULAR PURPOSE.  See the GNU General Public License for more
+    details.
+
+    You should have received a copy of the GNU General Public License along
+    with dustFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "dustCloudData.H"
+#include "dustSnapshot.H"
+#include "contactWriter.H"
+
+#include "indexedOctree.H"
+#include "treeDataFace.H"
+#include "wallPolyPatch.H"
+#include "OStringStream.H"
+#include "InjectionModelList.H"
+#include "DispersionModel.H"
+#include "PatchInteractionModel.H"
+#include "StochasticCollisionModel.H"
+#include "SurfaceFilmModel.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::dustCloud::readCounters()
+{
+    const dictionary* ledgerPtr = outputProperties_.findDict("ledger");
+
+    if (ledgerPtr)
+    {
+        const dictionary& ledger = *ledgerPtr;
+
+        ledger.readEntry("injected", injected_.count);
+        ledger.readEntry("injectedMass", injected_.mass);
+        ledger.readEntry("refused", refused_.count);
+        ledger.readEntry("refusedMass", refused_.mass);
+        ledger.readEntry("nextId", nextId_);
+
+        forAll(escaped_, patchi)
+        {
+            const word& name = mesh_.boundaryMesh()[patchi].name();
+            const dictionary& escaped = ledger.subDict("escaped");
+
+            if (escaped.found(name))
+            {
+                const dictionary& patch = escaped.subDict(name);
+                patch.readEntry("count", escaped_[patchi].count);
+                patch.readEntry("mass", escaped_[patchi].mass);
+            }
+        }
+        return;
+    }
+
+    // No run of ours wrote these parcels: they count as injected, with
+    // identities of our own
+    const label offset = Pstream::myProcNo();
+    labelList sizes(Pstream::nProcs(), Zero);
+    sizes[offset] = size();
+    Pstream::listCombineGather(sizes, plusEqOp<label>());
+    Pstream::listCombineScatter(sizes);
+
+    for (label proci = 0; proci < offset; ++proci)
+    {
+        nextId_ += sizes[proci];
+    }
+    for (dustParcel& p : *this)
+    {
+        p.origProc() = 0;
+        p.origId() = nextId_++;
+        p.rho() = density_;
+    }
+    nextId_ = sum(sizes);
+
+    injected_.count = nextId_;
+    injected_.mass = returnReduce(massInSystem(), sumOp<scalar>());
+}
+
+
+void Foam::dustCloud::storeCounters()
+{
+    dictionary ledger;
+    ledger.set("injected", injected_.count);
+    ledger.set("injectedMass", injected_.mass);
+    ledger.set("refused", refused_.count);
+    ledger.set("refusedMass", refused_.mass);
+    ledger.set("nextId", nextId_);
+
+    dictionary escaped;
+    forAll(escaped_, patchi)
+    {
+        if (escaped_[patchi].count)
+        {
+            dictionary patch;
+            patch.set("count", escaped_[patchi].count);
+            patch.set("mass", escaped_[patchi].mass);
+            escaped.set(mesh_.boundaryMesh()[patchi].name(), patch);
+        }
+    }
+    ledger.set("escaped", escaped);
+    outputProperties_.set("ledger", ledger);
+
+    // The injectors store theirs when they print them
+    OStringStream ignored;
+    injectors_.info(ignored);
+}
+
+
+void Foam::dustCloud::writeDeposit() const
+{
+    const dustSnapshot& state = snapshot();
+
+    contactWriter::write
+    (
+        mesh_.time(),
+        mesh_.time().globalPath()/"postProcessing"/"contacts",
+        state
+    );
+
+    // Deposited mass per area: each particle to the wall face that is nearest
+    // to where it touches. Every rank looks for all.
+
+    const label width = 5;
+    scalarList deposits;
+    if (Pstream::master())
+    {
+        DynamicList<scalar> list;
+        for (const auto& p : state.particles)
+        {
+            if (p.patch >= 0)
+            {
+                list.append(p.patch);
+                list.append(p.mass);
+                list.append(p.at.x());
+                list.append(p.at.y());
+                list.append(p.at.z());
+            }
+        }
+        deposits.transfer(list);
+    }
+    Pstream::scatter(deposits);
+
+    volScalarField field
+    (
+        IOobject
+        (
+            "depositedMass",
+            mesh_.time().timeName(),
+            mesh_,
+            IOobject::NO_READ,
+            IOobject::NO_WRITE,
+            false
+        ),
+        mesh_,
+        dimensionedScalar(dimMass/dimArea, Zero)
+    );
+
+    const label n = deposits.size()/width;
+    labelList nearest(n, -1);
+    scalarList distance(n, GREAT);
+
+    for (const label patchi : dem_->wallPatches)
+    {
+        const polyPatch& pp = mesh_.boundaryMesh()[patchi];
+        if (pp.empty())
+        {
+            continue;
+        }
+
+        std::unique_ptr<indexedOctree<treeDataFace>> tree;
+
+        for (label i = 0; i < n; ++i)
+        {
+            const scalar* v = &deposits[i*width];
+            if (label(v[0]) != patchi)
+            {
+                continue;
+            }
+            if (!tree)
+            {
+                treeBoundBox box(pp.points(), pp.meshPoints());
+                box = treeBoundBox(pp.localPoints());
+                Random random(0);
+                tree.reset
+                (
+                    new indexedOctree<treeDataFace>
+                    (
+                        treeDataFace(false, pp),
+                        box.extend(random, 1e-3),
+                        8,
+                        10,
+                        3
+                    )
+                );
+            }
+            const pointIndexHit hit
+            (
+                tree->findNearest(point(v[2], v[3], v[4]), sqr(GREAT))
+            );
+            if (hit.hit())
+            {
+                nearest[i] = hit.index();
+                distance[i] =
+                    magSqr(hit.hitPoint() - point(v[2], v[3], v[4]));
+            }
+        }
+    }
+
+    scalarList smallest(distance);
+    Pstream::listCombineGather(smallest, minEqOp<scalar>());
+    Pstream::listCombineScatter(smallest);
+
+    // Of ranks that are equally near, the lowest
+    labelList rank(n, Pstream::nProcs());
+    forAll(rank, i)
+    {
+        if (nearest[i] >= 0 && distance[i] == smallest[i])
+        {
+            rank[i] = Pstream::myProcNo();
+        }
+    }
+    Pstream::listCombineGather(rank, minEqOp<label>());
+    Pstream::listCombineScatter(rank);
+
+    for (label i = 0; i < n; ++i)
+    {
+        if (rank[i] == Pstream::myProcNo())
+        {
+            const label patchi = label(deposits[i*width]);
+            const label facei = nearest[i];
+            field.boundaryFieldRef()[patchi][facei] +=
+                deposits[i*width + 1]
+               /mesh_.magSf().boundaryField()[patchi][facei];
+        }
+    }
+
+    field.write();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::dustCloud::writeObject
+(
+    IOstream::streamFormat fmt,
+    IOstream::versionNumber ver,
+    IOstream::compressionType cmp,
+    const bool valid
+) const
+{
+    const stopwatch watch;
+
+    // Writing fills buffers and counters, but changes no physics
+    dustCloud& self = const_cast<dustCloud&>(*this);
+
+    for (dustParcel& p : self)
+    {
+        const std::vector<double> state
+        (
+            dem_->system->packState(std::size_t(p.demIndex()))
+        );
+        p.blob().setSize(label(state.size()));
+        std::copy(state.begin(), state.end(), p.blob().begin());
+    }
+
+    const bool ok =
+        KinematicCloud<Cloud<dustParcel>>::writeObject(fmt, ver, cmp, valid);
+
+    for (dustParcel& p : self)
+    {
+        p.blob().clear();
+    }
+
+    self.storeCounters();
+    outputProperties_.writeObject
+    (
+        IOstream::ASCII,
+        IOstream::currentVersion,
+        mesh_.time().writeCompression(),
+        true
+    );
+
+    writeDeposit();
+
+    dem_->ioSeconds += watch.seconds();
+    return ok;
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,385 @@
+/*---------------------------------------------------------------------------*\
+    dustFoam: adhesive dust in ventilation ducts
+-------------------------------------------------------------------------------
+License
+    This file is part of dustFoam.
+
+    dustFoam is free software: you can redistribute it and/or modify it under
+    the terms of the GNU General Public License as published by the Free
+    Software Foundation, either version 3 of the License, or (at your option)
+    any later version.
+
+    dustFoam is distributed in the hope that it will be useful, but WITHOUT ANY
+    WARRANTY; without even the implied warranty of MERCHANTABILITY or FITNESS
+    FOR A PARTICULAR PURPOSE.  See the GNU General Public License for more
+    details.
+
+    You should have received a copy of the GNU General Public License along
+    with dustFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "dustCloudData.H"
+
+#include "PstreamBuffers.H"
+#include "InjectionModelList.H"
+#include "DispersionModel.H"
+#include "PatchInteractionModel.H"
+#include "StochasticCollisionModel.H"
+#include "SurfaceFilmModel.H"
+
+#include <cmath>
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalar Foam::dustCloud::particleStepLimit() const
+{
+    const scalar maxCo = solution_.maxCo();
+    scalar limit = solution_.dict().lookupOrDefault<scalar>("deltaTMax", GREAT);
+
+    for (const dustParcel& p : *this)
+    {
+        // A particle that follows the gas may be as fast as the gas is
+        scalar speed = mag(p.U());
+        if (p.state() != dustParcel::resting)
+        {
+            speed = max(speed, mag(U_[p.cell()]));
+        }
+        if (speed > VSMALL)
+        {
+            limit = min(limit, maxCo*cellLengthScale_[p.cell()]/speed);
+        }
+    }
+
+    return returnReduce(limit, minOp<scalar>());
+}
+
+
+void Foam::dustCloud::setGasLoads
+(
+    dustParcel::trackingData& td,
+    const scalar dt,
+    const label subStep,
+    scalarField& Sp,
+    vectorField& nonCoupled
+)
+{
+    demData& d = *dem_;
+    dem::System& system = *d.system;
+
+    if (twoWay_)
+    {
+        Sp.setSize(size());
+        nonCoupled.setSize(size());
+    }
+
+    label i = 0;
+
+    for (dustParcel& p : *this)
+    {
+        const label parceli = i++;
+
+        // At rest in a gas that does not change: nothing new
+        if (p.loaded() && gasFrozen_ && !d.dispersion)
+        {
+            continue;
+        }
+
+        p.setCellValues(*this, td);
+
+        if (d.dispersion)
+        {
+            // Keyed, so that neither restart nor decomposition matter
+            rndGen_ = Random
+            (
+                seed
+                (
+                    p.origId(),
+                    p.origProc(),
+                    seed(mesh_.time().timeIndex(), subStep, 0)
+                )
+            );
+            p.calcDispersion(*this, td, dt);
+        }
+
+        const scalar mass = p.mass();
+        const scalar Re = p.Re(td);
+        const forceSuSp coupled
+        (
+            forces_.calcCoupled(p, td, dt, mass, Re, td.muc())
+        );
+        const forceSuSp other
+        (
+            forces_.calcNonCoupled(p, td, dt, mass, Re, td.muc())
+        );
+        const vector Su = coupled.Su() + other.Su();
+
+        if
+        (
+            !std::isfinite(coupled.Sp() + magSqr(Su) + magSqr(td.Uc()))
+         || coupled.Sp() < 0
+        )
+        {
+            FatalErrorInFunction
+                << "Impossible gas force on particle " << p.origProc() << ':'
+                << p.origId() << " at " << p.x() << " in cell " << p.cell()
+                << ": Sp " << coupled.Sp() << " kg/s, Su " << Su
+                << " N, gas velocity " << td.Uc() << " m/s"
+                << exit(FatalError);
+        }
+
+        dem::GasLoad load;
+        load.Sp = coupled.Sp();
+        load.Uc = toVec3(td.Uc());
+        load.Su = toVec3(Su);
+
+        // Stokes: 8 pi mu r^3. The vorticity's share is left out: it changes
+        // with the last bits of the decomposition, and its surface speed is
+        // 1e-3 and less of the particle's.
+        load.SpOmega = constant::mathematical::pi*td.muc()*pow3(p.d());
+
+        system.setGasLoad(std::size_t(p.demIndex()), load);
+        p.loaded() = true;
+
+        if (twoWay_)
+        {
+            Sp[parceli] = coupled.Sp();
+            nonCoupled[parceli] = other.Su();
+        }
+    }
+}
+
+
+void Foam::dustCloud::takeMotion
+(
+    const scalar dt,
+    const scalarField& Sp,
+    const vectorField& nonCoupled
+)
+{
+    const dem::System& system = *dem_->system;
+    label i = 0;
+
+    for (dustParcel& p : *this)
+    {
+        const std::size_t index = std::size_t(p.demIndex());
+        const dem::Particle& particle = system.particle(index);
+
+        if (twoWay_)
+        {
+            // From the cell where the step began
+            UTrans()[p.cell()] -=
+                toVector(system.gasImpulse(index)) - dt*nonCoupled[i];
+            UCoeff()[p.cell()] += dt*Sp[i];
+        }
+        ++i;
+
+        p.setX(toVector(particle.x));
+        p.U() = toVector(particle.v);
+        p.omega() = toVector(particle.omega);
+        p.age() += dt;
+        p.state() =
+            system.resting(index) ? dustParcel::resting
+          : system.inContact(index) ? dustParcel::inContact
+          : dustParcel::airborne;
+    }
+}
+
+
+void Foam::dustCloud::settleBlocked()
+{
+    // Where are they? Every rank looks for all
+    List<List<point>> all(Pstream::nProcs());
+    List<point>& mine = all[Pstream::myProcNo()];
+    mine.setSize(blocked_.size());
+    forAll(blocked_, i)
+    {
+        mine[i] = blocked_[i]->x();
+    }
+    Pstream::gatherList(all);
+    Pstream::scatterList(all);
+
+    List<labelList> owner(all.size());
+    List<labelList> cell(all.size());
+    forAll(all, proci)
+    {
+        owner[proci].setSize(all[proci].size(), -1);
+        cell[proci].setSize(all[proci].size(), -1);
+        forAll(all[proci], i)
+        {
+            cell[proci][i] = mesh_.findCell(all[proci][i]);
+            if (cell[proci][i] >= 0)
+            {
+                owner[proci][i] = Pstream::myProcNo();
+            }
+        }
+        Pstream::listCombineGather(owner[proci], maxEqOp<label>());
+        Pstream::listCombineScatter(owner[proci]);
+    }
+
+    PstreamBuffers buffers(Pstream::commsTypes::nonBlocking);
+
+    const labelList& myOwners = owner[Pstream::myProcNo()];
+    forAll(blocked_, i)
+    {
+        dustParcel& p = *blocked_[i];
+
+        if (myOwners[i] < 0)
+        {
+            // x is outside the mesh: behind a facet of a curved wall. The cell
+            // stays the last one; the next step looks again.
+            ++dem_->offMesh;
+        }
+        else if (myOwners[i] != Pstream::myProcNo())
+        {
+            leaveRank(p);
+            UOPstream toOwner(myOwners[i], buffers);
+            toOwner << p;
+            deleteParticle(p);
+        }
+    }
+
+    labelList received;
+    buffers.finishedSends(received);
+
+    forAll(all, proci)
+    {
+        if (proci == Pstream::myProcNo() || !received[proci])
+        {
+            continue;
+        }
+        UIPstream fromRank(proci, buffers);
+        forAll(owner[proci], i)
+        {
+            if (owner[proci][i] == Pstream::myProcNo())
+            {
+                dustParcel* pPtr = new dustParcel(mesh_, fromRank);
+                pPtr->relocate(pPtr->x(), cell[proci][i]);
+                pPtr->moved() = false;
+                addParticle(pPtr);
+            }
+        }
+    }
+
+    blocked_.clear();
+}
+
+
+void Foam::dustCloud::motion(dustParcel::trackingData& td)
+{
+    demData& d = *dem_;
+
+    scalarField Sp;
+    vectorField nonCoupled;
+    escaping_ = tally();
+
+    scalar left = solution_.trackTime();
+
+    for (label subStep = 0; left > 0; ++subStep)
+    {
+        // Equal steps for what is left, as few as the limit allows. The
+        // limit may differ in its last bits between decompositions.
+        const scalar n =
+            max(scalar(1), std::ceil(left/particleStepLimit() - 1e-6));
+        const scalar dt = left/n;
+        left = n > 1 ? left - dt : 0;
+
+        const stopwatch forcing;
+        setGasLoads(td, dt, subStep, Sp, nonCoupled);
+        d.forceSeconds += forcing.seconds();
+
+        const stopwatch moving;
+        try
+        {
+            d.totals.add(d.system->advance(dt));
+        }
+        catch (const dem::numericalError& e)
+        {
+            FatalErrorInFunction
+                << "The DEM system cannot go on: " << e.what()
+                << exit(FatalError);
+        }
+        d.demSeconds += moving.seconds();
+        ++d.particleSteps;
+
+        const stopwatch tracking;
+        takeMotion(dt, Sp, nonCoupled);
+
+        td.relocating = true;
+        Cloud<dustParcel>::move(*this, td, dt);
+        td.relocating = false;
+
+        if (returnReduce(blocked_.size(), sumOp<label>()))
+        {
+            settleBlocked();
+        }
+        removeLeavers();
+        if (Pstream::parRun())
+        {
+            addArrivals();
+        }
+        d.trackSeconds += tracking.seconds();
+    }
+
+    // Escapes of all ranks
+    forAll(escaping_, patchi)
+    {
+        escaped_[patchi].count +=
+            returnReduce(escaping_[patchi].count, sumOp<label>());
+        escaped_[patchi].mass +=
+            returnReduce(escaping_[patchi].mass, sumOp<scalar>());
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::dustCloud::findBlocked(dustParcel& p)
+{
+    const label celli = mesh_.findCell(p.x());
+
+    if (celli >= 0)
+    {
+        p.relocate(p.x(), celli);
+    }
+    else
+    {
+        blocked_.append(&p);
+    }
+}
+
+
+void Foam::dustCloud::leaveRank(dustParcel& p)
+{
+    // A second hop within one step: packed already
+    if (p.demIndex() < 0)
+    {
+        return;
+    }
+
+    const std::vector<double> state
+    (
+        dem_->system->packState(std::size_t(p.demIndex()))
+    );
+    p.blob().setSize(label(state.size()));
+    std::copy(state.begin(), state.end(), p.blob().begin());
+
+    leaving_[std::size_t(p.demIndex())] = 1;
+    p.demIndex() = -1;
+}
+
+
+void Foam::dustCloud::noteEscape(dustParcel& p, const label patchi)
+{
+    ++escaping_[patchi].count;
+    escaping_[patchi].mass += p.mass();
+
+    if (p.demIndex() >= 0)
+    {
+        leaving_[std::size_t(p.demIndex())] = 1;
+        p.demIndex() = -1;
+    }
+}
+
+
+// ************************************************************************* //

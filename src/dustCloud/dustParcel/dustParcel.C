@@ -1,0 +1,158 @@
+/*---------------------------------------------------------------------------*\
+    dustFoam: adhesive dust in ventilation ducts
+-------------------------------------------------------------------------------
+License
+    This file is part of dustFoam.
+
+    dustFoam is free software: you can redistribute it and/or modify it under
+    the terms of the GNU General Public License as published by the Free
+    Software Foundation, either version 3 of the License, or (at your option)
+    any later version.
+
+    dustFoam is distributed in the hope that it will be useful, but WITHOUT ANY
+    WARRANTY; without even the implied warranty of MERCHANTABILITY or FITNESS
+    FOR A PARTICULAR PURPOSE.  See the GNU General Public License for more
+    details.
+
+    You should have received a copy of the GNU General Public License along
+    with dustFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "dustParcel.H"
+#include "Cloud.H"
+#include "IOstreams.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    defineTypeNameAndDebug(dustParcel, 0);
+    defineTemplateTypeNameAndDebug(Cloud<dustParcel>, 0);
+}
+
+Foam::string Foam::dustParcel::propertyList_ =
+    Foam::dustParcel::propertyList();
+
+const std::size_t Foam::dustParcel::sizeofFields
+(
+    offsetof(dustParcel, blob_) - offsetof(dustParcel, omega_)
+);
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::dustParcel::dustParcel
+(
+    const polyMesh& mesh,
+    const barycentric& coordinates,
+    const label celli,
+    const label tetFacei,
+    const label tetPti
+)
+:
+    KinematicParcel<particle>(mesh, coordinates, celli, tetFacei, tetPti),
+    omega_(Zero),
+    x_(position()),
+    state_(fresh),
+    moved_(false),
+    blob_(),
+    demIndex_(-1),
+    loaded_(false)
+{}
+
+
+Foam::dustParcel::dustParcel
+(
+    const polyMesh& mesh,
+    const vector& position,
+    const label celli
+)
+:
+    KinematicParcel<particle>(mesh, position, celli),
+    omega_(Zero),
+    x_(position),
+    state_(fresh),
+    moved_(false),
+    blob_(),
+    demIndex_(-1),
+    loaded_(false)
+{}
+
+
+Foam::dustParcel::dustParcel
+(
+    const polyMesh& mesh,
+    Istream& is,
+    bool readFields,
+    bool newFormat
+)
+:
+    KinematicParcel<particle>(mesh, is, readFields, newFormat),
+    omega_(Zero),
+    x_(Zero),
+    state_(airborne),
+    moved_(false),
+    blob_(),
+    demIndex_(-1),
+    loaded_(false)
+{
+    if (readFields)
+    {
+        if (is.format() == IOstream::ASCII)
+        {
+            is >> omega_ >> x_ >> state_ >> moved_;
+        }
+        else
+        {
+            is.read(reinterpret_cast<char*>(&omega_), sizeofFields);
+        }
+        is >> blob_;
+    }
+
+    is.check(FUNCTION_NAME);
+}
+
+
+Foam::dustParcel::dustParcel(const dustParcel& p, const polyMesh& mesh)
+:
+    KinematicParcel<particle>(p, mesh),
+    omega_(p.omega_),
+    x_(p.x_),
+    state_(p.state_),
+    moved_(p.moved_),
+    blob_(p.blob_),
+    demIndex_(-1),
+    loaded_(false)
+{}
+
+
+// * * * * * * * * * * * * * * * Ostream Operator  * * * * * * * * * * * * * //
+
+Foam::Ostream& Foam::operator<<(Ostream& os, const dustParcel& p)
+{
+    os << static_cast<const KinematicParcel<particle>&>(p);
+
+    if (os.format() == IOstream::ASCII)
+    {
+        os  << token::SPACE << p.omega_
+            << token::SPACE << p.x_
+            << token::SPACE << p.state_
+            << token::SPACE << p.moved_;
+    }
+    else
+    {
+        os.write
+        (
+            reinterpret_cast<const char*>(&p.omega_),
+            dustParcel::sizeofFields
+        );
+    }
+    os << token::SPACE << p.blob_;
+
+    os.check(FUNCTION_NAME);
+    return os;
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,320 @@
+/*---------------------------------------------------------------------------*\
+    dustFoam: adhesive dust in ventilation ducts
+-------------------------------------------------------------------------------
+License
+    This file is part of dustFoam.
+
+    dustFoam is free software: you can redistribute it and/or modify it under
+    the terms of the GNU General Public License as published by the Free
+    Software Foundation, either version 3 of the License, or (at your option)
+    any later version.
+
+    dustFoam is distributed in the hope that it will be useful, but WITHOUT ANY
+    WARRANTY; without even the implied warranty of MERCHANTABILITY or FITNESS
+    FOR A PARTICULAR PURPOSE.  See the GNU General Public License for more
+    details.
+
+    You should have received a copy of the GNU General Public License along
+    with dustFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "patchWalls.H"
+#include "dustProperties.H"
+#include "wallPolyPatch.H"
+#include "processorPolyPatch.H"
+#include "Pstream.H"
+
+#include <algorithm>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+static dem::Vec3 toVec3(const vector& v)
+{
+    return dem::Vec3(v.x(), v.y(), v.z());
+}
+
+
+//- Lexicographic order of points
+static int compare(const point& a, const point& b)
+{
+    for (direction i = 0; i < 3; ++i)
+    {
+        if (a[i] != b[i])
+        {
+            return a[i] < b[i] ? -1 : 1;
+        }
+    }
+    return 0;
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+Foam::List<Foam::patchWalls::triangle> Foam::patchWalls::gather
+(
+    const polyMesh& mesh,
+    const labelList& patchIDs,
+    const UList<vectorField>& values
+)
+{
+    // As plain numbers: patch, 9 coordinates, 3 values
+    const label width = 13;
+    DynamicList<scalar> mine;
+
+    forAll(patchIDs, i)
+    {
+        const polyPatch& pp = mesh.boundaryMesh()[patchIDs[i]];
+        faceList triangles;
+
+        forAll(pp, facei)
+        {
+            const face& f = pp[facei];
+            const label n = f.nTriangles();
+            label triI = 0;
+
+            triangles.setSize(n);
+            f.triangles(mesh.points(), triI, triangles);
+
+            const vector value =
+                values.size() ? values[i][facei] : vector(Zero);
+
+            for (label t = 0; t < triI; ++t)
+            {
+                // The lowest vertex first; the orientation stays
+                label first = 0;
+                for (label v = 1; v < 3; ++v)
+                {
+                    if
+                    (
+                        compare
+                        (
+                            mesh.points()[triangles[t][v]],
+                            mesh.points()[triangles[t][first]]
+                        ) < 0
+                    )
+                    {
+                        first = v;
+                    }
+                }
+
+                mine.append(patchIDs[i]);
+                for (label v = 0; v < 3; ++v)
+                {
+                    const point& p =
+                        mesh.points()[triangles[t][(first + v) % 3]];
+                    mine.append(p.x());
+                    mine.append(p.y());
+                    mine.append(p.z());
+                }
+                mine.append(value.x());
+                mine.append(value.y());
+                mine.append(value.z());
+            }
+        }
+    }
+
+    List<scalarList> all(Pstream::nProcs());
+    all[Pstream::myProcNo()] = mine;
+    Pstream::gatherList(all);
+    Pstream::scatterList(all);
+
+    DynamicList<triangle> result;
+    for (const scalarList& numbers : all)
+    {
+        for (label i = 0; i < numbers.size(); i += width)
+        {
+            triangle t;
+            t.patch = label(numbers[i]);
+            for (label v = 0; v < 3; ++v)
+            {
+                const scalar* x = &numbers[i + 1 + 3*v];
+                t.vertices[v] = point(x[0], x[1], x[2]);
+            }
+            const scalar* x = &numbers[i + 10];
+            t.value = vector(x[0], x[1], x[2]);
+            result.append(t);
+        }
+    }
+
+    std::sort
+    (
+        result.begin(),
+        result.end(),
+        [](const triangle& a, const triangle& b)
+        {
+            if (a.patch != b.patch)
+            {
+                return a.patch < b.patch;
+            }
+            for (label v = 0; v < 3; ++v)
+            {
+                const int c = compare(a.vertices[v], b.vertices[v]);
+                if (c)
+                {
+                    return c < 0;
+                }
+            }
+            return false;
+        }
+    );
+
+    return List<triangle>(result);
+}
+
+
+dem::Walls Foam::patchWalls::New
+(
+    const polyMesh& mesh,
+    const dictionary& properties,
+    const dem::MaterialTable& table
+)
+{
+    const polyBoundaryMesh& patches = mesh.boundaryMesh();
+    const dictionary& patchMaterials = properties.subDict("patchMaterials");
+
+    dem::Walls walls;
+    labelList wallPatches;
+    labelList wallIndex(patches.size(), -1);
+    wordList wallNames;
+
+    for (const polyPatch& pp : patches)
+    {
+        if (isA<wallPolyPatch>(pp))
+        {
+            wallIndex[pp.index()] = wallPatches.size();
+            wallPatches.append(pp.index());
+            wallNames.append(pp.name());
+        }
+        else if
+        (
+            polyPatch::constraintType(pp.type())
+         && !isA<processorPolyPatch>(pp)
+        )
+        {
+            FatalErrorInFunction
+                << "Patch " << pp.name() << " is of type " << pp.type()
+                << ", which is not supported by the contact engine yet:"
+                << " a particle there would not feel those on the other side."
+                << nl << "    Use wall and patch only, and a full"
+                << " three-dimensional mesh." << exit(FatalError);
+        }
+    }
+
+    // Entries that are nobody's
+    for (const entry& e : patchMaterials)
+    {
+        const keyType& key = e.keyword();
+        bool used = false;
+
+        for (const word& name : wallNames)
+        {
+            used = used || key.match(name, key.isLiteral());
+        }
+        if (!used)
+        {
+            string names;
+            for (const word& name : wallNames)
+            {
+                names += (names.empty() ? "" : ", ") + name;
+            }
+            dustProperties::error
+            (
+                patchMaterials,
+                key,
+                "is not a patch of type wall in this mesh",
+                names
+            );
+        }
+    }
+
+    string materialNames;
+    for (const dem::Material& m : table.materials())
+    {
+        materialNames += (materialNames.empty() ? "" : ", ") + m.name;
+    }
+
+    for (const word& name : wallNames)
+    {
+        if (!patchMaterials.found(name, keyType::REGEX))
+        {
+            dustProperties::error
+            (
+                properties,
+                "patchMaterials",
+                "wall patch '" + name + "' has no material",
+                name + " followed by one of " + materialNames
+            );
+        }
+
+        const word material
+        (
+            patchMaterials.get<word>(name, keyType::REGEX)
+        );
+
+        dem::WallPatch patch;
+        patch.name = name;
+        try
+        {
+            patch.material = table.index(material);
+        }
+        catch (const dem::inputError&)
+        {
+            dustProperties::error
+            (
+                patchMaterials,
+                name,
+                "unknown material '" + material + "'",
+                materialNames
+            );
+        }
+        walls.patches.push_back(patch);
+    }
+
+    label nDropped = 0;
+
+    for (const triangle& t : gather(mesh, wallPatches))
+    {
+        const vector e1 = t.vertices[1] - t.vertices[0];
+        const vector e2 = t.vertices[2] - t.vertices[0];
+        const vector e3 = t.vertices[2] - t.vertices[1];
+        const scalar longest = max(magSqr(e1), max(magSqr(e2), magSqr(e3)));
+
+        // height over longest edge
+        if (mag(e1 ^ e2) <= 1e-8*longest)
+        {
+            ++nDropped;
+            continue;
+        }
+
+        // OpenFOAM's faces point out of the mesh, the DEM's to the particles
+        walls.triangles.push_back
+        (
+            dem::WallTriangle
+            {
+                toVec3(t.vertices[0]),
+                toVec3(t.vertices[2]),
+                toVec3(t.vertices[1]),
+                int(wallIndex[t.patch])
+            }
+        );
+    }
+
+    Info<< "Walls: " << walls.triangles.size() << " triangles of "
+        << wallNames.size() << " patches";
+    if (nDropped)
+    {
+        Info<< " (" << nDropped << " without area left out)";
+    }
+    Info<< endl;
+
+    return walls;
+}
+
+
+// ************************************************************************* //
