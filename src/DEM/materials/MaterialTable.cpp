@@ -210,6 +210,12 @@ int MaterialTable::index(const std::string& name) const
 }
 
 
+double MaterialTable::touchDistance(int i, int j) const
+{
+    return laws_[std::size_t(lawIndex(i, j))]->touchDistance(pairInLaw(i, j));
+}
+
+
 ContactFigures MaterialTable::figures
 (
     int i, int j, double ri, double rj, double mi, double mj, double speed
@@ -231,8 +237,12 @@ ContactFigures MaterialTable::figures
     (
         4*f.R*p.realGamma*p.realGamma/(p.realE*p.realE*atomic*atomic*atomic)
     );
-    const bool sliding = settings(i, j).tangential.model != none::model;
-    f.period = contactPeriod(p, f.R, f.m, f.a0, 0, speed, sliding);
+    const ContactScale scale{p, f.R, f.m};
+    double c[maxConstants];
+    law.prepare(pairInLaw(i, j), scale, c);
+    const double invInertia =
+        2.5*(1/(mi*ri*ri) + (rj > 0 ? 1/(mj*rj*rj) : 0));
+    f.period = law.period(pairInLaw(i, j), scale, c, invInertia, 0, speed);
     f.impactOverlap = impactOverlap(p.E, f.R, f.m, speed);
     f.impactTime = speed > 0 ? 2.94327*f.impactOverlap/speed : 0;
     return f;
@@ -246,11 +256,13 @@ double MaterialTable::reach(int material, double radius) const
     {
         // the neck grows with R^(1/3); R is largest on a wall
         const PairConstants& p = constants(material, j);
+        const ContactLaw& law = *laws_[std::size_t(lawIndex(material, j))];
         longest = std::max
-        (
+        ({
             longest,
-            laws_[std::size_t(lawIndex(material, j))]->reach(p.gamma, p.E, radius)
-        );
+            law.reach(p.gamma, p.E, radius),
+            touchDistance(material, j)
+        });
     }
     return longest;
 }

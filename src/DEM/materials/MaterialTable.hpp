@@ -73,6 +73,9 @@ public:
     int pairInLaw(int i, int j) const { return pairInLaw_[at(i, j)]; }
     const std::vector<std::shared_ptr<const ContactLaw>>& laws() const { return laws_; }
 
+    //- Contacts of the pair begin at this gap of the surfaces [m]
+    double touchDistance(int i, int j) const;
+
     //- Figures for radii ri, rj (rj <= 0: flat wall) and relative speed [m/s].
     ContactFigures figures
     (

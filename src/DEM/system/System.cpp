@@ -936,7 +936,10 @@ std::vector<ContactView> System::contacts() const
             v.point = p.x + (p.radius - 0.5*v.overlap)*v.normal;
             v.force = Vec3(loads[0].f[0], loads[0].f[1], loads[0].f[2]);
             v.pullOff = law.pullOff(pair.gamma, R);
-            v.contactRadius = law.normalResponse(constants, v.overlap).radius;
+            double history[maxHistory];
+            std::copy(c.history, c.history + maxHistory, history);
+            v.contactRadius =
+                law.normalResponse(constants, v.overlap, history).radius;
             v.resting = s.rest[i].resting;
             result.push_back(v);
         }

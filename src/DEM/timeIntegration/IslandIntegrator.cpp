@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "timeIntegration/IslandIntegrator.hpp"
 
-#include "contactModels/contactModel/none.hpp"
 #include "particles/errors.hpp"
-#include "timeIntegration/contactPeriod.hpp"
 #include "timeIntegration/freeFlight.hpp"
 
 #include <algorithm>
@@ -79,6 +77,18 @@ void IslandIntegrator::clear()
     }
     entries_.clear();
     freeEntries_.clear();
+
+    // by material and wall patch; the walls may have been set since the last island
+    const auto& patches = wallSearch_.walls().patches;
+    const int nMaterials = int(materials_.materials().size());
+    wallTouch_.assign(std::size_t(nMaterials), std::vector<double>(patches.size()));
+    for (int m = 0; m < nMaterials; ++m)
+    {
+        for (std::size_t p = 0; p < patches.size(); ++p)
+        {
+            wallTouch_[std::size_t(m)][p] = materials_.touchDistance(m, patches[p].material);
+        }
+    }
 }
 
 
@@ -106,7 +116,9 @@ void IslandIntegrator::addSurfaces(const std::vector<int>& surfaces)
 
 void IslandIntegrator::addCandidate(int i, int j)
 {
-    candidates_.push_back({i, j, false});
+    const int mi = particles_[std::size_t(i)].material;
+    const int mj = particles_[std::size_t(j)].material;
+    candidates_.push_back({i, j, false, materials_.touchDistance(mi, mj)});
 }
 
 
@@ -232,7 +244,7 @@ int IslandIntegrator::findCandidate(int i, int j) const
 {
     const auto found = std::lower_bound
     (
-        candidates_.begin(), candidates_.end(), Candidate{i, j, false},
+        candidates_.begin(), candidates_.end(), Candidate{i, j, false, 0},
         [](const Candidate& a, const Candidate& b)
         {
             return a.i < b.i || (a.i == b.i && a.j < b.j);
@@ -351,7 +363,10 @@ bool IslandIntegrator::form(StepReport& report)
         for (std::size_t k = 0; k < hits.size(); ++k)
         {
             const double r = particles_[std::size_t(i)].radius;
-            if (hitTaken_[std::size_t(i)][k] || hits[k].distance > r) continue;
+            if (hitTaken_[std::size_t(i)][k] || hits[k].distance > r + wallTouch(i, hits[k].patch))
+            {
+                continue;
+            }
             begin(i, -1, hits[k].patch, -1, nullptr);
             const int law = materials_.lawIndex
             (
@@ -443,7 +458,14 @@ double IslandIntegrator::gap(const Candidate& c, Vec3& n) const
     n = vec(b.x) - vec(a.x);
     const double distance = n.norm();
     n /= distance;
-    return distance - a.r - b.r;
+    return distance - a.r - b.r - c.touch;
+}
+
+
+double IslandIntegrator::wallTouch(int i, int patch) const
+{
+    return
+        wallTouch_[std::size_t(particles_[std::size_t(i)].material)][std::size_t(patch)];
 }
 
 
@@ -713,29 +735,17 @@ double IslandIntegrator::contactStep(double time, StepReport& report)
                 );
 
                 const int mi = particles_[i].material;
-                const PairConstants& p = materials_.constants(mi, e.materialJ);
-                const bool sliding =
-                    materials_.settings(mi, e.materialJ).tangential.model
-                 != none::model;
-                double period = contactPeriod
-                (
-                    p, e.R, e.m, e.a0, list.overlap[k], std::fabs(speed), sliding
-                );
-                if (e.yield > 0)
+                double c[maxConstants];
+                for (std::size_t a = 0; a < list.constants.size(); ++a)
                 {
-                    const double growth =
-                        1 + std::pow(std::max(list.overlap[k], 0.0)*e.R, 0.75)
-                           /std::pow(e.a0, 1.5);
-                    period = std::min
-                    (
-                        period,
-                        rollingPeriod
-                        (
-                            4*materials_.laws()[l]->pullOff(p.resistanceGamma, e.R),
-                            e.R, e.invInertia, growth
-                        )
-                    );
+                    c[a] = list.constants[a][k];
                 }
+                const double period = materials_.laws()[l]->period
+                (
+                    materials_.pairInLaw(mi, e.materialJ),
+                    {materials_.constants(mi, e.materialJ), e.R, e.m}, c, e.invInertia,
+                    list.overlap[k], std::fabs(speed)
+                );
                 shortest = std::min(shortest, period);
             }
         }
@@ -778,7 +788,8 @@ double IslandIntegrator::timeToTouch(bool contact) const
                     shortest,
                     closingTime
                     (
-                        hits_[k][c].distance - bodies_[k].r,
+                        hits_[k][c].distance - bodies_[k].r
+                      - wallTouch(i, hits_[k][c].patch),
                         vec(bodies_[k].v).dot(hits_[k][c].n), 0
                     )
                 );
@@ -798,7 +809,8 @@ double IslandIntegrator::timeToTouch(bool contact) const
                 wallSearch_.timeToTouch
                 (
                     vec(bodies_[k].x), vec(bodies_[k].v), accelerationBound(i),
-                    bodies_[k].r, surfaces_.data() + first, surfaceEnd_[k] - first
+                    bodies_[k].r, wallTouch_[std::size_t(particles_[k].material)],
+                    surfaces_.data() + first, surfaceEnd_[k] - first
                 )
             );
         }

@@ -94,6 +94,7 @@ private:
     {
         int i, j;
         bool touching;
+        double touch;       // contact begins at this gap of the surfaces [m]
     };
 
     //- A contact that is not in a list: of a sleeping cluster, or before and after run()
@@ -154,6 +155,7 @@ private:
     double timeToEnd(double h) const;
     void checkRest(double elapsed, StepReport& report);
     double gap(const Candidate& c, Vec3& n) const;
+    double wallTouch(int i, int patch) const;
     double accelerationBound(int i) const;
     bool anyContact() const;
     void fail(const std::string& what, int i, int j, double time) const;
@@ -184,6 +186,7 @@ private:
     std::vector<std::vector<WallHit>> hits_;
     std::vector<std::vector<char>> hitTaken_;
     std::vector<Weakest> weakest_;
+    std::vector<std::vector<double>> wallTouch_;    // [m], by material and patch
 
     double flightStep_ = -1;    // h that flight_ is made for
     double skin_ = 0;           // [m] how far beyond touch near_ looks

@@ -10,10 +10,10 @@
 // reach. 2 E a is the Hertzian slope, above the JKR one (1.2 E a0 at A = 1), and the dashpots
 // of the laws (below critical) lengthen the period; so T is a lower bound for one contact.
 // The explicit scheme is stable for steps below T/pi; z contacts on one particle shorten
-// that by about sqrt(z).
+// that by about sqrt(z). A normal law of another kind gives its own k_N.
 #pragma once
 
-#include "materials/MaterialTable.hpp"
+#include "contactModels/contactModel/ContactScale.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,45 +21,33 @@
 namespace dem
 {
 
+//- A contact at its stiffest
+struct ElasticBound
+{
+    double radius;      // a [m]
+    double stiffness;   // k_N [N/m]
+};
+
 //- Hertz peak overlap [m] at speed v: (15/16 m v^2/(E R^(1/2)))^(2/5)
 inline double impactOverlap(double E, double R, double m, double v)
 {
     return std::pow(15.0/16.0*m*v*v/(E*std::sqrt(R)), 0.4);
 }
 
-inline double contactPeriod
+inline ElasticBound hertzianBound
 (
-    const PairConstants& p,
-    double R,
-    double m,
-    double a0,
-    double overlap,
-    double approachSpeed,
-    bool sliding
+    const ContactScale& s, double a0, double overlap, double speed
 )
 {
     const double d = std::max(overlap, 0.0);
-    const double v = std::max(approachSpeed, 0.0);
     const double deltaStar = std::pow
     (
-        d*d*std::sqrt(d) + 15.0/16.0*m*v*v/(p.E*std::sqrt(R)), 0.4
+        d*d*std::sqrt(d) + 15.0/16.0*s.m*speed*speed/(s.pair.E*std::sqrt(s.R)), 0.4
     );
     // a floor for contacts that are neither adhesive nor in motion
     const double a =
-        std::sqrt(std::max(a0*a0 + R*deltaStar, 1e-12*R*R));
-    double square = m/(2*p.E*a);
-    if (sliding) square = std::min(square, 2.0/7.0*m/(8*p.G*a));
-    return 2*M_PI*std::sqrt(square);
-}
-
-//- 2 pi (I/k_theta)^(1/2) for the rolling mode; strength = 4 F_C [N], inertia 1/I the sum of
-//  both particles' 1/I
-inline double rollingPeriod(double strength, double R, double invInertia, double growth)
-{
-    return
-        strength > 0
-      ? 2*M_PI/std::sqrt(strength*R*growth*invInertia)
-      : 1e300;
+        std::sqrt(std::max(a0*a0 + s.R*deltaStar, 1e-12*s.R*s.R));
+    return {a, 2*s.pair.E*a};
 }
 
 }

@@ -238,6 +238,18 @@ WallHit WallSearch::shapeHit(int shape, const Vec3& x) const
 }
 
 
+int WallSearch::patchOf(int surface) const
+{
+    std::size_t s = std::size_t(surface);
+    if (s < walls_.triangles.size()) return walls_.triangles[s].patch;
+    s -= walls_.triangles.size();
+    if (s < walls_.planes.size()) return walls_.planes[s].patch;
+    s -= walls_.planes.size();
+    if (s < walls_.cylinders.size()) return walls_.cylinders[s].patch;
+    return walls_.spheres[s - walls_.cylinders.size()].patch;
+}
+
+
 double WallSearch::nearest(int surface, const Vec3& x, Vec3& point, int& feature) const
 {
     const int nTriangles = int(walls_.triangles.size());
@@ -440,7 +452,7 @@ void WallSearch::hits
 double WallSearch::timeToTouch
 (
     const Vec3& x, const Vec3& v, double bound, double radius,
-    const int* surfaces, std::size_t nSurfaces
+    const std::vector<double>& touch, const int* surfaces, std::size_t nSurfaces
 ) const
 {
     double shortest = 1e300;
@@ -468,7 +480,11 @@ double WallSearch::timeToTouch
         shortest = std::min
         (
             shortest,
-            closingTime(distance - radius, v.dot(n), bound + curvature)
+            closingTime
+            (
+                distance - radius - touch[std::size_t(patchOf(s))],
+                v.dot(n), bound + curvature
+            )
         );
     }
     return shortest;

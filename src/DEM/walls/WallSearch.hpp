@@ -47,12 +47,12 @@ public:
         std::vector<WallHit>& result
     ) const;
 
-    //- Shortest time [s] in which a centre moving from x with v could come within radius of
-    //  a surface, if its acceleration stays below bound [m/s2]
+    //- Shortest time [s] in which a centre moving from x with v could come within radius +
+    //  touch[patch] of a surface, if its acceleration stays below bound [m/s2]
     double timeToTouch
     (
         const Vec3& x, const Vec3& v, double bound, double radius,
-        const int* surfaces, std::size_t nSurfaces
+        const std::vector<double>& touch, const int* surfaces, std::size_t nSurfaces
     ) const;
 
 private:
@@ -72,6 +72,7 @@ private:
     };
 
     int build(int first, int last);
+    int patchOf(int surface) const;
     WallHit shapeHit(int shape, const Vec3& x) const;
     double nearest(int surface, const Vec3& x, Vec3& point, int& feature) const;
 

@@ -36,6 +36,14 @@ License
 
 #include <cmath>
 
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    defineTypeNameAndDebug(dustCloud, 0);
+}
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 const Foam::word& Foam::dustCloud::checkInput
@@ -200,15 +208,15 @@ const Foam::word& Foam::dustCloud::checkInput
                     false
                 )
             );
-            boolList inside(positions.size(), false);
+            labelList cells(positions.size());
             forAll(positions, i)
             {
-                inside[i] = mesh.findCell(positions[i]) >= 0;
+                cells[i] = mesh.findCell(positions[i]);
             }
-            Pstream::listCombineGather(inside, orEqOp<bool>());
-            Pstream::listCombineScatter(inside);
+            Pstream::listCombineGather(cells, maxEqOp<label>());
+            Pstream::listCombineScatter(cells);
 
-            const label i = inside.find(false);
+            const label i = cells.find(-1);
             if (i >= 0)
             {
                 dustProperties::error

@@ -14,6 +14,7 @@
 #include "contactModels/contactModel/ContactLaw.hpp"
 #include "contactModels/contactModel/Real.hpp"
 #include "contactModels/contactModel/none.hpp"
+#include "timeIntegration/contactPeriod.hpp"
 
 #include <cmath>
 #include <cstring>
@@ -32,7 +33,7 @@ class Composite : public ContactLaw
     static constexpr int cR = cT + Tangential::nConstants;
     static constexpr int cW = cR + Rolling::nConstants;
     static constexpr int nC = cW + Twisting::nConstants;
-    static constexpr int hT = 0;
+    static constexpr int hT = Normal::nHistory;
     static constexpr int hR = hT + Tangential::nHistory;
     static constexpr int hW = hR + Rolling::nHistory;
     static constexpr int nH = hW + Twisting::nHistory;
@@ -161,7 +162,16 @@ class Composite : public ContactLaw
         for (int a = 0; a < nC; ++a) c[a] = load<Real>(&list.constants[std::size_t(a)][k]);
 
         // Normal
-        const auto normal = Normal::template evaluate<Real>(c, overlap);
+        Real memory[Normal::nHistory > 0 ? Normal::nHistory : 1];
+        for (int a = 0; a < Normal::nHistory; ++a)
+        {
+            memory[a] = load<Real>(&list.history[std::size_t(a)][k]);
+        }
+        const auto normal = Normal::template evaluate<Real>(c, overlap, memory);
+        for (int a = 0; a < Normal::nHistory; ++a)
+        {
+            store<Real>(&list.history[std::size_t(a)][k], memory[a]);
+        }
         const Real vn = dot(v, n);
         const Real push = normal.elastic + normal.damping*vn;
         V3<Real> force = (-push)*n;
@@ -408,9 +418,40 @@ public:
         }
     }
 
-    NormalResponse<double> normalResponse(const double* c, double overlap) const override
+    NormalResponse<double> normalResponse
+    (
+        const double* c, double overlap, double* history
+    ) const override
     {
-        return Normal::template evaluate<double>(c, overlap);
+        return Normal::template evaluate<double>(c, overlap, history);
+    }
+
+    double touchDistance(int pair) const override
+    {
+        return Normal::touchDistance(pairs_[std::size_t(pair)].n);
+    }
+
+    double period
+    (
+        int pair, const ContactScale& s, const double* c, double invInertia,
+        double overlap, double speed
+    ) const override
+    {
+        const ElasticBound b = Normal::bound
+        (
+            pairs_[std::size_t(pair)].n, s, overlap, speed
+        );
+        double square = s.m/b.stiffness;
+        if constexpr (Tangential::on)
+        {
+            square = std::min(square, 2.0/7.0*s.m/Tangential::stiffness(c + cT, b.radius));
+        }
+        if constexpr (Rolling::on)
+        {
+            const double k = Rolling::rotationalStiffness(c + cR, overlap);
+            if (k > 0) square = std::min(square, 1/(k*invInertia));
+        }
+        return 2*M_PI*std::sqrt(square);
     }
 
     bool evaluatePairs

@@ -16,7 +16,7 @@ namespace dem
 {
 
 //- The most history values that any law keeps per contact
-inline constexpr int maxHistory = 8;
+inline constexpr int maxHistory = 10;
 //- The most constants that any law keeps per contact
 inline constexpr int maxConstants = 24;
 
@@ -48,10 +48,21 @@ public:
     //- Moment at which rolling yields at A = 1 [N m]; 0 without rolling resistance
     virtual double rollingYield(const double* constants) const = 0;
 
-    //- The normal part alone
+    //- The normal part alone; `history` holds the contact's history values and is moved on
     virtual NormalResponse<double> normalResponse
     (
-        const double* constants, double overlap
+        const double* constants, double overlap, double* history
+    ) const = 0;
+
+    //- Contact begins at overlap = -touchDistance [m]: 0 but for laws that act at a distance
+    virtual double touchDistance(int pair) const = 0;
+
+    //- Shortest period [s] (timeIntegration/contactPeriod.hpp), at this overlap [m] and
+    //  normal speed [m/s]; invInertia = 1/I_i + 1/I_j [1/(kg m2)]
+    virtual double period
+    (
+        int pair, const ContactScale& s, const double* constants, double invInertia,
+        double overlap, double speed
     ) const = 0;
 
     //- Add the loads of contacts [begin, end) to the bodies, times sign; springs move on by

@@ -24,6 +24,7 @@ struct DMT
     static constexpr const char* model = "DMT";
     static constexpr bool adhesive = true;
     static constexpr int nConstants = Hertz::nConstants + 2;
+    static constexpr int nHistory = 0;
 
     static std::vector<std::string> keywords() { return Hertz::keywords(); }
 
@@ -49,10 +50,22 @@ struct DMT
         c[4] = 1/equilibriumRadius(s.pair.gamma, s.pair.E, s.R);
     }
 
-    template<class Real>
-    static NormalResponse<Real> evaluate(const Real* c, const Real& overlap)
+    static double touchDistance(const Parameters&) { return 0; }
+    static ElasticBound bound
+    (
+        const Parameters&, const ContactScale& s, double overlap, double speed
+    )
     {
-        NormalResponse<Real> r = Hertz::evaluate(c, overlap);
+        return hertzianBound
+        (
+            s, equilibriumRadius(s.pair.gamma, s.pair.E, s.R), overlap, speed
+        );
+    }
+
+    template<class Real>
+    static NormalResponse<Real> evaluate(const Real* c, const Real& overlap, Real* h)
+    {
+        NormalResponse<Real> r = Hertz::evaluate(c, overlap, h);
         const Real A = r.radius*c[4];
         r.elastic = r.elastic - c[3];
         r.strength = A*squareRoot(A);

@@ -18,6 +18,7 @@
 #include "contactModels/contactModel/NormalResponse.hpp"
 #include "contactModels/contactModel/PartInput.hpp"
 #include "contactModels/contactModel/Real.hpp"
+#include "timeIntegration/contactPeriod.hpp"
 
 namespace dem
 {
@@ -29,6 +30,7 @@ struct Hertz
     static constexpr const char* model = "Hertz";
     static constexpr bool adhesive = false;
     static constexpr int nConstants = 3;
+    static constexpr int nHistory = 0;
 
     static std::vector<std::string> keywords()
     {
@@ -57,8 +59,20 @@ struct Hertz
         c[2] = 2*std::sqrt(5.0/6.0)*p.beta*std::sqrt(2*s.pair.E*s.m);
     }
 
+    //- Contact begins at overlap = -touchDistance [m]
+    static double touchDistance(const Parameters&) { return 0; }
+
+    //- Radius and stiffness that the contact will have at its stiffest, for the contact step
+    static ElasticBound bound
+    (
+        const Parameters&, const ContactScale& s, double overlap, double speed
+    )
+    {
+        return hertzianBound(s, 0, overlap, speed);
+    }
+
     template<class Real>
-    static NormalResponse<Real> evaluate(const Real* c, const Real& overlap)
+    static NormalResponse<Real> evaluate(const Real* c, const Real& overlap, Real*)
     {
         const Real d = maximum(overlap, Real(0));
         const Real a = squareRoot(c[0]*d);

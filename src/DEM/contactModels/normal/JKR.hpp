@@ -21,6 +21,7 @@
 #include "contactModels/contactModel/NormalResponse.hpp"
 #include "contactModels/contactModel/PartInput.hpp"
 #include "contactModels/normal/jkrCurve.hpp"
+#include "timeIntegration/contactPeriod.hpp"
 
 namespace dem
 {
@@ -32,6 +33,7 @@ struct JKR
     static constexpr const char* model = "JKR";
     static constexpr bool adhesive = true;
     static constexpr int nConstants = 4;
+    static constexpr int nHistory = 0;
 
     static std::vector<std::string> keywords()
     {
@@ -68,8 +70,20 @@ struct JKR
         c[3] = p.alpha*std::sqrt(s.m*4.0/3.0*s.pair.E*a0);
     }
 
+    static double touchDistance(const Parameters&) { return 0; }
+    static ElasticBound bound
+    (
+        const Parameters&, const ContactScale& s, double overlap, double speed
+    )
+    {
+        return hertzianBound
+        (
+            s, equilibriumRadius(s.pair.gamma, s.pair.E, s.R), overlap, speed
+        );
+    }
+
     template<class Real>
-    static NormalResponse<Real> evaluate(const Real* c, const Real& overlap)
+    static NormalResponse<Real> evaluate(const Real* c, const Real& overlap, Real*)
     {
         const Real q = overlap*c[0] + Real(jkrCurve::neck);
         const Real s = jkrCurve::rootOf(q);

@@ -25,6 +25,7 @@ struct simplifiedJKR
     static constexpr const char* model = "simplifiedJKR";
     static constexpr bool adhesive = true;
     static constexpr int nConstants = 4;
+    static constexpr int nHistory = 0;
 
     static std::vector<std::string> keywords() { return Hertz::keywords(); }
 
@@ -52,8 +53,20 @@ struct simplifiedJKR
         c[3] = 2*std::sqrt(5.0/6.0)*p.beta*std::sqrt(2*s.pair.E*s.m);
     }
 
+    static double touchDistance(const Parameters&) { return 0; }
+    static ElasticBound bound
+    (
+        const Parameters&, const ContactScale& s, double overlap, double speed
+    )
+    {
+        return hertzianBound
+        (
+            s, equilibriumRadius(s.pair.gamma, s.pair.E, s.R), overlap, speed
+        );
+    }
+
     template<class Real>
-    static NormalResponse<Real> evaluate(const Real* c, const Real& overlap)
+    static NormalResponse<Real> evaluate(const Real* c, const Real& overlap, Real*)
     {
         const Real d = maximum(overlap, Real(0));
         const Real s = jkrCurve::rootOf(d*c[0] + Real(jkrCurve::neck));

@@ -21,6 +21,8 @@
 #include "contactModels/contactModel/Real.hpp"
 #include "particles/errors.hpp"
 
+#include <algorithm>
+
 namespace dem
 {
 namespace rolling
@@ -30,7 +32,7 @@ struct springSlider
 {
     static constexpr const char* model = "springSlider";
     static constexpr bool on = true;
-    static constexpr int nConstants = 4;
+    static constexpr int nConstants = 5;
     static constexpr int nHistory = 3;
 
     static std::vector<std::string> keywords()
@@ -86,7 +88,16 @@ struct springSlider
         c[0] = 4*r.pullOff;
         c[1] = criticalDisplacement(p, s.R, r);
         c[2] = p.rollingDamping;
-        c[3] = s.R;
+        c[3] = r.a0;
+        c[4] = s.R;
+    }
+
+    //- 4 F_C R (a/a0)^(3/2) [N m/rad], a^2 = a0^2 + R delta
+    static double rotationalStiffness(const double* c, double overlap)
+    {
+        const double growth =
+            c[3] > 0 ? 1 + std::max(overlap, 0.0)*c[4]/(c[3]*c[3]) : 1;
+        return c[0]*c[4]*std::pow(growth, 0.75);
     }
 
     //- The vector M with torque on i = -n x M [N m]

@@ -54,6 +54,9 @@ struct springDashpotSlider
         c[3] = r.slidingOffset;
     }
 
+    //- k_T [N/m] at contact radius a
+    static double stiffness(const double* c, double a) { return c[0]*a; }
+
     //- mu |F_N + 2 F_C| [N]
     template<class Real>
     static Real limit(const Real* c, const Real& elastic)

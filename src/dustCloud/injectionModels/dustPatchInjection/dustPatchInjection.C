@@ -324,7 +324,7 @@ void Foam::dustPatchInjection::setPositionAndCell
 )
 {
     // The owner is complete by now
-    const dustCloud& cloud = refCast<const dustCloud>(this->owner());
+    const dustCloud& cloud = dynamic_cast<const dustCloud&>(this->owner());
     const fvMesh& mesh = this->owner().mesh();
     const Time& time = this->owner().db().time();
 

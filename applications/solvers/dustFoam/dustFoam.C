@@ -1,0 +1,154 @@
+/*---------------------------------------------------------------------------*\
+    dustFoam: adhesive dust in ventilation ducts
+-------------------------------------------------------------------------------
+License
+    This file is part of dustFoam.
+
+    dustFoam is free software: you can redistribute it and/or modify it under
+    the terms of the GNU General Public License as published by the Free
+    Software Foundation, either version 3 of the License, or (at your option)
+    any later version.
+
+    dustFoam is distributed in the hope that it will be useful, but WITHOUT ANY
+    WARRANTY; without even the implied warranty of MERCHANTABILITY or FITNESS
+    FOR A PARTICULAR PURPOSE.  See the GNU General Public License for more
+    details.
+
+    You should have received a copy of the GNU General Public License along
+    with dustFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+Application
+    dustFoam
+
+Description
+    Adhesive dust in air ducts: incompressible gas, laminar or turbulent, and a
+    cloud of particles whose contacts are resolved by an embedded DEM library.
+
+    The gas is either frozen, i.e. taken as it is at the start time, or solved
+    by PIMPLE. With two-way coupling it feels the particles by their momentum
+    and by the void fraction alphac:
+
+    \verbatim
+        ddt(alphac) + div(alphac U) = 0
+        ddt(alphac U) + div(alphac U U) - div(alphac R)
+            = -grad p + (momentum from the particles)/rho
+    \endverbatim
+
+    The pressure gradient acts on the gas in full (model B of Gidaspow, as in
+    DPMFoam); p is kinematic and without the hydrostatic part.
+
+Usage
+    \b dustFoam [OPTIONS]
+
+    Needs, besides a mesh and the usual dictionaries in system:
+      - constant/dustProperties: see dustCloud.H and dustProperties.H
+      - constant/transportProperties: transportModel, nu, and rhoInf (gas
+        density, e.g. rhoInf [1 -3 0 0 0 0 0] 1.2;)
+      - constant/turbulenceProperties
+      - optional constant/g; without it there is no gravity
+      - the fields U and, if the gas is solved, p in the start time
+
+    Restart: startFrom latestTime. Exact with writeFormat binary or
+    writePrecision 17.
+
+\*---------------------------------------------------------------------------*/
+
+#include "fvCFD.H"
+#include "singlePhaseTransportModel.H"
+#include "PhaseIncompressibleTurbulenceModel.H"
+#include "pimpleControl.H"
+#include "clockTime.H"
+#include "dustCloud.H"
+
+// * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
+
+int main(int argc, char *argv[])
+{
+    argList::addNote
+    (
+        "Adhesive dust in air ducts: gas flow, frozen or solved by PIMPLE, and"
+        " particles that stick to walls and to each other.\n\n"
+        "Reads constant/dustProperties (materials, contact laws, injection,"
+        " forces), constant/transportProperties (nu, rhoInf), the fields U and"
+        " p; prints a scene plan, progress and a closing balance; writes"
+        " lagrangian/dust, depositedMass, postProcessing/contacts."
+    );
+
+    #include "setRootCaseLists.H"
+    #include "createTime.H"
+    #include "createMesh.H"
+    #include "createFields.H"
+
+    if (dust.gasFrozen())
+    {
+        Info<< "Starting time loop, gas frozen" << nl << endl;
+
+        while (runTime.run())
+        {
+            ++runTime;
+            dust.evolve();
+            runTime.write();
+        }
+    }
+    else
+    {
+        #include "createGas.H"
+
+        Info<< "Starting time loop" << nl << endl;
+
+        while (runTime.run())
+        {
+            #include "readTimeControls.H"
+            #include "CourantNo.H"
+            #include "setDeltaT.H"
+
+            ++runTime;
+
+            Info<< "Time = " << runTime.timeName() << endl;
+
+            // Particles first: the gas then feels what they took from it
+            dust.evolve(gasSeconds);
+
+            const clockTime gasClock;
+
+            if (dust.twoWay())
+            {
+                alphac = dust.voidFraction();
+            }
+            alphacf = fvc::interpolate(alphac);
+            alphaPhi = alphacf*phi;
+
+            transport.correct();
+            mu = rho*transport.nu();
+
+            #include "cloudSource.H"
+
+            while (pimple.loop())
+            {
+                #include "UEqn.H"
+
+                while (pimple.correct())
+                {
+                    #include "pEqn.H"
+                }
+
+                if (pimple.turbCorr())
+                {
+                    turbulence->correct();
+                }
+            }
+
+            gasSeconds = gasClock.elapsedTime();
+            runTime.write();
+        }
+    }
+
+    dust.summarise();
+
+    Info<< "End" << nl << endl;
+
+    return 0;
+}
+
+
+// ************************************************************************* //
