@@ -111,4 +111,48 @@ void boxPairs
     }
 }
 
+
+void boxPairs
+(
+    std::vector<Box> boxes, const Periodic& periodic,
+    const std::function<void(int, int)>& found
+)
+{
+    // images of what sticks out of the box, on the other side
+    const std::size_t n = boxes.size();
+    std::vector<int> original(n);
+    for (std::size_t i = 0; i < n; ++i) original[i] = int(i);
+    for (int d = 0; d < 3; ++d)
+    {
+        if (!(periodic.length[d] > 0)) continue;
+        Vec3 shift = Vec3::Zero();
+        shift[d] = periodic.length[d];
+        for (std::size_t i = 0, present = boxes.size(); i < present; ++i)
+        {
+            const Box b = boxes[i];
+            const int who = original[i];
+            if (b.low[d] < periodic.low[d])
+            {
+                boxes.push_back({b.low + shift, b.high + shift});
+                original.push_back(who);
+            }
+            if (b.high[d] > periodic.low[d] + periodic.length[d])
+            {
+                boxes.push_back({b.low - shift, b.high - shift});
+                original.push_back(who);
+            }
+        }
+    }
+
+    boxPairs
+    (
+        boxes,
+        [&](int i, int j)
+        {
+            const int a = original[std::size_t(i)], b = original[std::size_t(j)];
+            if (a != b) found(std::min(a, b), std::max(a, b));
+        }
+    );
+}
+
 }

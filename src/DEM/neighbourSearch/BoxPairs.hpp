@@ -3,6 +3,7 @@
 // Pairs of overlapping axis-aligned boxes.
 #pragma once
 
+#include "neighbourSearch/Periodic.hpp"
 #include "particles/vector.hpp"
 
 #include <functional>
@@ -34,6 +35,13 @@ struct Box
 void boxPairs
 (
     const std::vector<Box>& boxes, const std::function<void(int, int)>& found
+);
+
+//- The same among boxes with their middles in a periodic box; a pair may be found twice
+void boxPairs
+(
+    std::vector<Box> boxes, const Periodic& periodic,
+    const std::function<void(int, int)>& found
 );
 
 }

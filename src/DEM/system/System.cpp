@@ -53,7 +53,7 @@ public:
         time(t),
         communicator(c),
         walls(Walls{}),
-        integrator(std::make_unique<IslandIntegrator>(materials, time, walls))
+        integrator(std::make_unique<IslandIntegrator>(materials, time, walls, periodic))
     {
         if (!(time.stepsPerContact >= 4))
         {
@@ -163,6 +163,7 @@ public:
     TimeSettings time;
     Communicator communicator;
     WallSearch walls;
+    Periodic periodic;
     std::unique_ptr<IslandIntegrator> integrator;
 
     std::vector<Particle> particles;
@@ -298,7 +299,11 @@ System::Implementation::Labels System::Implementation::label
 
     // On this rank
     DisjointSets sets(n);
-    boxPairs(boxes, [&](int i, int j) { sets.join(std::size_t(i), std::size_t(j)); });
+    boxPairs
+    (
+        boxes, periodic,
+        [&](int i, int j) { sets.join(std::size_t(i), std::size_t(j)); }
+    );
 
     struct Component
     {
@@ -470,8 +475,12 @@ void System::Implementation::integrate
     }
 
     std::vector<std::pair<int, int>> pairs;
-    boxPairs(boxes, [&](int i, int j) { pairs.emplace_back(i, j); });
+    boxPairs(boxes, periodic, [&](int i, int j) { pairs.emplace_back(i, j); });
     std::sort(pairs.begin(), pairs.end());
+    if (periodic.on())
+    {
+        pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    }
     for (const auto& p : pairs) island.addCandidate(p.first, p.second);
 
     for (std::size_t i = 0; i < members.size(); ++i)
@@ -608,6 +617,7 @@ StepReport System::Implementation::advance(double dt)
     }
     for (std::size_t i = 0; i < n; ++i)
     {
+        if (periodic.on()) particles[i].x = periodic.wrapped(particles[i].x);
         report.resting += rest[i].resting;
         report.inContact += rest[i].inContact;
     }
@@ -691,6 +701,20 @@ void System::setWalls(Walls walls)
 }
 
 
+void System::setPeriodic(const Periodic& periodic)
+{
+    if (size() || impl_->communicator.parallel())
+    {
+        throw inputError
+        (
+            "periodic", size() ? "set after the first particle" : "on several ranks",
+            "one rank, before the first particle"
+        );
+    }
+    impl_->periodic = periodic;
+}
+
+
 const Walls& System::walls() const { return impl_->walls.walls(); }
 
 
@@ -731,6 +755,7 @@ std::size_t System::add(const Particle& p)
     }
 
     impl_->particles.push_back(p);
+    impl_->particles.back().x = impl_->periodic.wrapped(p.x);
     impl_->gas.emplace_back();
     impl_->rest.emplace_back();
     impl_->impulse.push_back(Vec3::Zero());
@@ -928,10 +953,10 @@ std::vector<ContactView> System::contacts() const
             }
             else
             {
-                const Vec3 d = q.x - p.x;
+                const Vec3 d = s.periodic.nearest(q.x - p.x);
                 v.normal = d.normalized();
                 v.overlap = p.radius + q.radius - d.norm();
-                law.evaluatePairs(list, 0, 1, bodies, loads, 0, 1);
+                law.evaluatePairs(list, 0, 1, bodies, loads, 0, 1, s.periodic);
             }
             v.point = p.x + (p.radius - 0.5*v.overlap)*v.normal;
             v.force = Vec3(loads[0].f[0], loads[0].f[1], loads[0].f[2]);
@@ -1000,7 +1025,10 @@ double System::overlapAt(const Vec3& x, double radius, std::string& wallName) co
     wallName.clear();
     for (const Particle& p : s.particles)
     {
-        largest = std::max(largest, radius + p.radius - (p.x - x).norm());
+        largest = std::max
+        (
+            largest, radius + p.radius - s.periodic.nearest(p.x - x).norm()
+        );
     }
 
     // far walls do not matter: three radii will do

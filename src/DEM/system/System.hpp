@@ -18,6 +18,7 @@
 #include "materials/ContactSettings.hpp"
 #include "materials/Material.hpp"
 #include "materials/MaterialTable.hpp"
+#include "neighbourSearch/Periodic.hpp"
 #include "parallel/Communicator.hpp"
 #include "particles/GasLoad.hpp"
 #include "particles/Particle.hpp"
@@ -58,6 +59,11 @@ public:
 
         void setWalls(Walls walls);
         const Walls& walls() const;
+
+
+    //- Make the system periodic. Before the first particle; on one rank only.
+    //  Errors: inputError
+    void setPeriodic(const Periodic& periodic);
 
 
     // Particles of this rank. An index stays valid until remove() is called.

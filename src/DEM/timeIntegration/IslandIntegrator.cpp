@@ -16,6 +16,7 @@ namespace
 
 // Contact steps between two looks at the contact step and at rest
 constexpr int stepsBetweenLooks = 4;
+constexpr int stepsBetweenLooksDense = 32;
 
 // Above this many candidates and contacts an island is dense: a single event is no longer
 // worth a step of its own
@@ -42,12 +43,14 @@ IslandIntegrator::IslandIntegrator
 (
     const MaterialTable& materials,
     const TimeSettings& time,
-    const WallSearch& walls
+    const WallSearch& walls,
+    const Periodic& periodic
 )
 :
     materials_(materials),
     time_(time),
     wallSearch_(walls),
+    periodic_(periodic),
     lists_(materials.laws().size())
 {
     for (std::size_t l = 0; l < lists_.size(); ++l)
@@ -304,7 +307,10 @@ bool IslandIntegrator::endMarked(StepReport& report)
                 }
                 else
                 {
-                    law.evaluatePairs(list, k, k + 1, bodies_.data(), loads_.data(), 0, -1);
+                    law.evaluatePairs
+                    (
+                        list, k, k + 1, bodies_.data(), loads_.data(), 0, -1, periodic_
+                    );
                 }
                 remove(list, k);
                 ++report.separations;
@@ -329,12 +335,10 @@ bool IslandIntegrator::form(StepReport& report)
     met.clear();
     for (const int c : near_)
     {
-        Vec3 n;
-        if
-        (
-            !candidates_[std::size_t(c)].touching
-         && gap(candidates_[std::size_t(c)], n) <= 0
-        ) met.push_back(c);
+        if (!candidates_[std::size_t(c)].touching && meets(candidates_[std::size_t(c)]))
+        {
+            met.push_back(c);
+        }
     }
 
     bool any = false;
@@ -397,7 +401,7 @@ bool IslandIntegrator::form(StepReport& report)
             law.evaluatePairs
             (
                 lists_[l].pairs, before[l].pairs, lists_[l].pairs.size(),
-                bodies_.data(), loads_.data(), 0, 1
+                bodies_.data(), loads_.data(), 0, 1, periodic_
             );
             law.evaluateWalls
             (
@@ -455,10 +459,19 @@ double IslandIntegrator::gap(const Candidate& c, Vec3& n) const
 {
     const Body& a = bodies_[std::size_t(c.i)];
     const Body& b = bodies_[std::size_t(c.j)];
-    n = vec(b.x) - vec(a.x);
+    n = periodic_.nearest(vec(b.x) - vec(a.x));
     const double distance = n.norm();
     n /= distance;
     return distance - a.r - b.r - c.touch;
+}
+
+
+bool IslandIntegrator::meets(const Candidate& c) const
+{
+    const Body& a = bodies_[std::size_t(c.i)];
+    const Body& b = bodies_[std::size_t(c.j)];
+    const double sum = a.r + b.r + c.touch;
+    return periodic_.nearest(vec(b.x) - vec(a.x)).squaredNorm() <= sum*sum;
 }
 
 
@@ -623,7 +636,7 @@ void IslandIntegrator::evaluate(double h, StepReport& report)
         {
             law.evaluatePairs
             (
-                lists.pairs, 0, nPairs, bodies_.data(), loads_.data(), h, 1
+                lists.pairs, 0, nPairs, bodies_.data(), loads_.data(), h, 1, periodic_
             );
         }
         if (nWalls)
@@ -712,7 +725,7 @@ double IslandIntegrator::contactStep(double time, StepReport& report)
                 else
                 {
                     const Body& bj = bodies_[std::size_t(list.j[k])];
-                    const Vec3 n = (vec(bj.x) - vec(bi.x)).normalized();
+                    const Vec3 n = periodic_.nearest(vec(bj.x) - vec(bi.x)).normalized();
                     speed = (vec(bi.v) - vec(bj.v)).dot(n);
                     smaller = std::min(smaller, bj.r);
                 }
@@ -844,7 +857,7 @@ double IslandIntegrator::timeToEnd(double h) const
                 else
                 {
                     const Body& bj = bodies_[std::size_t(list.j[k])];
-                    const Vec3 n = (vec(bj.x) - vec(bi.x)).normalized();
+                    const Vec3 n = periodic_.nearest(vec(bj.x) - vec(bi.x)).normalized();
                     opening = (vec(bj.v) - vec(bi.v)).dot(n);
                 }
                 if (opening > 0) shortest = std::min(shortest, left/opening);
@@ -1078,8 +1091,10 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
     endMarked(report);
     form(report);
 
+    exactEvents_ = candidates_.size() < denseIsland;
+    const int lookInterval = exactEvents_ ? stepsBetweenLooks : stepsBetweenLooksDense;
     double t = 0, h = 0, sinceLook = 0;
-    int looked = stepsBetweenLooks, shortened = 0;
+    int looked = lookInterval, shortened = 0;
     std::int64_t flights = 0;
     while (t < dt && !awake_.empty())
     {
@@ -1087,14 +1102,14 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
         double now;
         if (anyContact())
         {
-            if (looked >= stepsBetweenLooks)
+            if (looked >= lookInterval)
             {
+                // equal steps up to the end of the particle step
                 h = contactStep(time + t, report);
+                h = left/std::ceil(left/h*(1 - 1e-12));
                 looked = 0;
             }
-            // equal steps up to the end of the particle step
-            now = left/std::ceil(left/h*(1 - 1e-12));
-            exactEvents_ = candidates_.size() < denseIsland;
+            now = left < 1.5*h ? left : h;
             if (exactEvents_ && shortened < 3)
             {
                 const double event = std::min(timeToTouch(true), timeToEnd(now));
@@ -1103,6 +1118,7 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
                     // a little beyond, so that it has happened
                     now = std::min(now, std::max(event*(1 + 1e-9), 1e-3*h));
                     ++shortened;
+                    looked = lookInterval;
                 }
                 else shortened = 0;
             }
@@ -1117,7 +1133,7 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
             const double floor =
                 1e-7*smallest_/std::max({fastest_, speedBound, 1e-300});
             now = std::min(left, std::max(timeToTouch(false), floor));
-            looked = stepsBetweenLooks;
+            looked = lookInterval;
             sinceLook = 0;
             if (++flights > 10000000)
             {
@@ -1130,8 +1146,8 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
 
         bool event = endMarked(report);
         event = form(report) || event;
-        if (event) looked = stepsBetweenLooks;
-        if (looked >= stepsBetweenLooks && sinceLook > 0)
+        if (event && exactEvents_) looked = lookInterval;
+        if (looked >= lookInterval && sinceLook > 0)
         {
             checkRest(sinceLook, report);
             sinceLook = 0;

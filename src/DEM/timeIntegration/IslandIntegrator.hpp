@@ -53,7 +53,8 @@ public:
     (
         const MaterialTable& materials,
         const TimeSettings& time,
-        const WallSearch& walls
+        const WallSearch& walls,
+        const Periodic& periodic
     );
 
     // Loading, in this order: particles, their wall surfaces, candidates, contacts
@@ -155,6 +156,7 @@ private:
     double timeToEnd(double h) const;
     void checkRest(double elapsed, StepReport& report);
     double gap(const Candidate& c, Vec3& n) const;
+    bool meets(const Candidate& c) const;
     double wallTouch(int i, int patch) const;
     double accelerationBound(int i) const;
     bool anyContact() const;
@@ -163,6 +165,7 @@ private:
     const MaterialTable& materials_;
     TimeSettings time_;
     const WallSearch& wallSearch_;
+    const Periodic& periodic_;
 
     std::vector<Particle> particles_;
     std::vector<GasLoad> gas_;

@@ -275,6 +275,9 @@ void Foam::dustCloud::motion(dustParcel::trackingData& td)
 
     scalar left = solution_.trackTime();
 
+    // Not the sum of all steps: a restarted run must have the same time
+    d.system->setTime(mesh_.time().value() - left);
+
     for (label subStep = 0; left > 0; ++subStep)
     {
         // Equal steps for what is left, as few as the limit allows. The

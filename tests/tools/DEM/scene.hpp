@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -19,33 +20,49 @@ namespace scene
 
 using dem::Vec3;
 
-//- |value - expected| <= relative |expected|
-inline ::testing::AssertionResult close(double value, double expected, double relative)
+inline std::string text(double value)
 {
-    const double error = std::fabs(value - expected);
-    if (error <= relative*std::fabs(expected)) return ::testing::AssertionSuccess();
-    return ::testing::AssertionFailure().operator<<("is ")
-        << std::scientific << value << ", expected " << expected << " within " << relative
-        << " relative, is off by " << error/std::fabs(expected);
+    char buffer[40];
+    std::snprintf(buffer, sizeof buffer, "%.12g", value);
+    return buffer;
+}
+
+inline ::testing::AssertionResult verdict
+(
+    double value, double expected, double error, double tolerance
+)
+{
+    if (error <= tolerance) return ::testing::AssertionSuccess();
+    return ::testing::AssertionFailure()
+        << "is " << text(value) << ", expected " << text(expected) << ", off by "
+        << text(error) << ", allowed " << text(tolerance);
 }
 
 //- |value - expected| <= tolerance
 inline ::testing::AssertionResult near(double value, double expected, double tolerance)
 {
-    const double error = std::fabs(value - expected);
-    if (error <= tolerance) return ::testing::AssertionSuccess();
-    return ::testing::AssertionFailure().operator<<("is ")
-        << std::scientific << value << ", expected " << expected << " within " << tolerance
-        << ", is off by " << error;
+    return verdict(value, expected, std::fabs(value - expected), tolerance);
 }
 
-inline ::testing::AssertionResult near(const Vec3& value, const Vec3& expected, double tolerance)
+//- |value - expected| <= relative |expected|
+inline ::testing::AssertionResult close(double value, double expected, double relative)
+{
+    return near(value, expected, relative*std::fabs(expected));
+}
+
+inline ::testing::AssertionResult near
+(
+    const Vec3& value, const Vec3& expected, double tolerance
+)
 {
     const double error = (value - expected).norm();
     if (error <= tolerance) return ::testing::AssertionSuccess();
-    return ::testing::AssertionFailure().operator<<("is (")
-        << std::scientific << value.transpose() << "), expected (" << expected.transpose()
-        << ") within " << tolerance << ", is off by " << error;
+    ::testing::AssertionResult result = ::testing::AssertionFailure();
+    for (int d = 0; d < 3; ++d)
+    {
+        result << text(value[d]) << " (expected " << text(expected[d]) << ") ";
+    }
+    return result << "off by " << text(error) << ", allowed " << text(tolerance);
 }
 
 //- Two materials, "dust" (0) and "wall" (1), alike; the defaults are the polystyrene of

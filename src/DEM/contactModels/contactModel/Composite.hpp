@@ -13,6 +13,7 @@
 
 #include "contactModels/contactModel/ContactLaw.hpp"
 #include "contactModels/contactModel/Real.hpp"
+#include "contactModels/contactModel/lanes.hpp"
 #include "contactModels/contactModel/none.hpp"
 #include "timeIntegration/contactPeriod.hpp"
 
@@ -53,79 +54,27 @@ class Composite : public ContactLaw
     std::vector<Pair> pairs_;
 
 
-    template<class Real, class Get>
-    static Real gather(Get get)
-    {
-        if constexpr (std::is_same_v<Real, double>)
-        {
-            return get(0);
-        }
-        else
-        {
-            return Real([&](auto lane) { return get(int(lane)); });
-        }
-    }
-
+    //- The nearest image of a difference along one axis
     template<class Real>
-    static V3<Real> gather3(const Body* const* b, double (Body::*member)[3])
+    [[gnu::always_inline]] static Real nearest(const Real& d, double length)
     {
-        return
-        {
-            gather<Real>([&](int l) { return (b[l]->*member)[0]; }),
-            gather<Real>([&](int l) { return (b[l]->*member)[1]; }),
-            gather<Real>([&](int l) { return (b[l]->*member)[2]; })
-        };
+        const Real half(0.5*length), whole(length);
+        return select(d > half, d - whole, select(d < -half, d + whole, d));
     }
 
-    template<class Real>
-    static Real load(const double* p)
-    {
-        if constexpr (std::is_same_v<Real, double>)
-        {
-            return *p;
-        }
-        else
-        {
-            return Real(p, std::experimental::element_aligned);
-        }
-    }
+    enum Partner { wallPartner, pairPartner, imagePartner };
 
-    template<class Real>
-    static void store(double* p, const Real& v)
-    {
-        if constexpr (std::is_same_v<Real, double>)
-        {
-            *p = v;
-        }
-        else
-        {
-            v.copy_to(p, std::experimental::element_aligned);
-        }
-    }
-
-    template<class Real>
-    static double lane(const Real& v, int l)
-    {
-        if constexpr (std::is_same_v<Real, double>)
-        {
-            (void)l;
-            return v;
-        }
-        else
-        {
-            return v[std::size_t(l)];
-        }
-    }
-
-
-    template<class Real, bool wall>
+    template<class Real, Partner partner>
     static bool evaluate
     (
         ContactList& list, std::size_t k,
-        const Body* bodies, Load* loads, double h, double sign
+        const Body* bodies, Load* loads, double h, double sign,
+        const double* period
     )
     {
-        constexpr int width = std::is_same_v<Real, double> ? 1 : packWidth;
+        constexpr bool wall = partner == wallPartner;
+        constexpr int width = laneCount<Real>;
+        (void)period;
 
         const Body* bi[width];
         const Body* bj[width];
@@ -134,43 +83,56 @@ class Composite : public ContactLaw
             bi[l] = bodies + list.i[k + std::size_t(l)];
             if constexpr (!wall) bj[l] = bodies + list.j[k + std::size_t(l)];
         }
+        const auto gather = [&](const Body* const* b, double (Body::*member)[3])
+        {
+            const double* from[width];
+            for (int l = 0; l < width; ++l) from[l] = b[l]->*member;
+            return gather4<Real>(from);
+        };
 
-        // Geometry
-        const Real ri = gather<Real>([&](int l) { return bi[l]->r; });
+        // Geometry; a radius follows each position
+        const V4<Real> xi4 = gather(bi, &Body::x);
+        const Real ri = xi4.w;
         Real rj(0);
         V3<Real> n;
         Real overlap;
-        V3<Real> v = gather3<Real>(bi, &Body::v);
+        V3<Real> v = gather(bi, &Body::v).v;
         if constexpr (wall)
         {
-            n = {load<Real>(&list.nx[k]), load<Real>(&list.ny[k]), load<Real>(&list.nz[k])};
-            overlap = load<Real>(&list.overlap[k]);
+            n = {loadReal<Real>(&list.nx[k]), loadReal<Real>(&list.ny[k]), loadReal<Real>(&list.nz[k])};
+            overlap = loadReal<Real>(&list.overlap[k]);
         }
         else
         {
-            rj = gather<Real>([&](int l) { return bj[l]->r; });
-            const V3<Real> d =
-                gather3<Real>(bj, &Body::x) - gather3<Real>(bi, &Body::x);
+            const V4<Real> xj4 = gather(bj, &Body::x);
+            rj = xj4.w;
+            V3<Real> d = xj4.v - xi4.v;
+            if constexpr (partner == imagePartner)
+            {
+                d.x = nearest(d.x, period[0]);
+                d.y = nearest(d.y, period[1]);
+                d.z = nearest(d.z, period[2]);
+            }
             const Real distance = squareRoot(maximum(dot(d, d), Real(1e-290)));
             n = (Real(1)/distance)*d;
             overlap = ri + rj - distance;
-            store<Real>(&list.overlap[k], overlap);
-            v = v - gather3<Real>(bj, &Body::v);
+            storeReal<Real>(&list.overlap[k], overlap);
+            v = v - gather(bj, &Body::v).v;
         }
 
         Real c[nC > 0 ? nC : 1];
-        for (int a = 0; a < nC; ++a) c[a] = load<Real>(&list.constants[std::size_t(a)][k]);
+        for (int a = 0; a < nC; ++a) c[a] = loadReal<Real>(&list.constants[std::size_t(a)][k]);
 
         // Normal
         Real memory[Normal::nHistory > 0 ? Normal::nHistory : 1];
         for (int a = 0; a < Normal::nHistory; ++a)
         {
-            memory[a] = load<Real>(&list.history[std::size_t(a)][k]);
+            memory[a] = loadReal<Real>(&list.history[std::size_t(a)][k]);
         }
         const auto normal = Normal::template evaluate<Real>(c, overlap, memory);
         for (int a = 0; a < Normal::nHistory; ++a)
         {
-            store<Real>(&list.history[std::size_t(a)][k], memory[a]);
+            storeReal<Real>(&list.history[std::size_t(a)][k], memory[a]);
         }
         const Real vn = dot(v, n);
         const Real push = normal.elastic + normal.damping*vn;
@@ -180,24 +142,24 @@ class Composite : public ContactLaw
 
         if constexpr (spin)
         {
-            const V3<Real> wi = gather3<Real>(bi, &Body::w);
-            const V3<Real> wiHalf = gather3<Real>(bi, &Body::wHalf);
+            const V3<Real> wi = gather(bi, &Body::w).v;
+            const V3<Real> wiHalf = gather(bi, &Body::wHalf).v;
             V3<Real> wRel = wi;
             V3<Real> wRelHalf = wiHalf;
             V3<Real> arm = ri*wi;
             V3<Real> armHalf = ri*wiHalf;
             V3<Real> wSumHalf = wiHalf;
-            V3<Real> vHalf = gather3<Real>(bi, &Body::vHalf);
+            V3<Real> vHalf = gather(bi, &Body::vHalf).v;
             if constexpr (!wall)
             {
-                const V3<Real> wj = gather3<Real>(bj, &Body::w);
-                const V3<Real> wjHalf = gather3<Real>(bj, &Body::wHalf);
+                const V3<Real> wj = gather(bj, &Body::w).v;
+                const V3<Real> wjHalf = gather(bj, &Body::wHalf).v;
                 wRel = wRel - wj;
                 wRelHalf = wRelHalf - wjHalf;
                 arm = arm + rj*wj;
                 armHalf = armHalf + rj*wjHalf;
                 wSumHalf = wSumHalf + wjHalf;
-                vHalf = vHalf - gather3<Real>(bj, &Body::vHalf);
+                vHalf = vHalf - gather(bj, &Body::vHalf).v;
             }
             const V3<Real> slipV = v - vn*n + cross(arm, n);
             const V3<Real> slipHalf = vHalf - dot(vHalf, n)*n + cross(armHalf, n);
@@ -212,9 +174,9 @@ class Composite : public ContactLaw
             {
                 V3<Real> xi
                 {
-                    load<Real>(&list.history[hT][k]),
-                    load<Real>(&list.history[hT + 1][k]),
-                    load<Real>(&list.history[hT + 2][k])
+                    loadReal<Real>(&list.history[hT][k]),
+                    loadReal<Real>(&list.history[hT + 1][k]),
+                    loadReal<Real>(&list.history[hT + 2][k])
                 };
                 xi = turned(xi, n, twistMean);
                 const V3<Real> ft = Tangential::template evaluate<Real>
@@ -222,9 +184,9 @@ class Composite : public ContactLaw
                     c + cT, normal.elastic, normal.damping, normal.radius,
                     step*slipHalf, slipV, xi
                 );
-                store<Real>(&list.history[hT][k], xi.x);
-                store<Real>(&list.history[hT + 1][k], xi.y);
-                store<Real>(&list.history[hT + 2][k], xi.z);
+                storeReal<Real>(&list.history[hT][k], xi.x);
+                storeReal<Real>(&list.history[hT + 1][k], xi.y);
+                storeReal<Real>(&list.history[hT + 2][k], xi.z);
                 slidingLimit = Tangential::template limit<Real>(c + cT, normal.elastic);
 
                 force = force + ft;
@@ -243,18 +205,18 @@ class Composite : public ContactLaw
                 const V3<Real> rollHalf = R*cross(wRelHalf, n) + skew*slipHalf;
                 V3<Real> xi
                 {
-                    load<Real>(&list.history[hR][k]),
-                    load<Real>(&list.history[hR + 1][k]),
-                    load<Real>(&list.history[hR + 2][k])
+                    loadReal<Real>(&list.history[hR][k]),
+                    loadReal<Real>(&list.history[hR + 1][k]),
+                    loadReal<Real>(&list.history[hR + 2][k])
                 };
                 xi = turned(xi, n, twistMean);
                 const V3<Real> M = Rolling::template evaluate<Real>
                 (
                     c + cR, normal.strength, step*rollHalf, rollV, xi
                 );
-                store<Real>(&list.history[hR][k], xi.x);
-                store<Real>(&list.history[hR + 1][k], xi.y);
-                store<Real>(&list.history[hR + 2][k], xi.z);
+                storeReal<Real>(&list.history[hR][k], xi.x);
+                storeReal<Real>(&list.history[hR + 1][k], xi.y);
+                storeReal<Real>(&list.history[hR + 2][k], xi.z);
                 const V3<Real> nxm = cross(n, M);
                 torqueI = torqueI - nxm;
                 torqueJ = torqueJ + nxm;
@@ -262,69 +224,70 @@ class Composite : public ContactLaw
 
             if constexpr (Twisting::on)
             {
-                Real xi = load<Real>(&list.history[hW][k]);
+                Real xi = loadReal<Real>(&list.history[hW][k]);
                 const Real moment = Twisting::template evaluate<Real>
                 (
                     c + cW, normal.damping, normal.radius, slidingLimit,
                     step*dot(wRelHalf, n), dot(wRel, n), xi
                 );
-                store<Real>(&list.history[hW][k], xi);
+                storeReal<Real>(&list.history[hW][k], xi);
                 torqueI = torqueI + moment*n;
                 torqueJ = torqueJ - moment*n;
             }
         }
 
+        // Loads, lane by lane: two of them may meet in one particle
+        double* fi[width];
+        double* ti[width];
+        for (int l = 0; l < width; ++l)
+        {
+            Load& load = loads[list.i[k + std::size_t(l)]];
+            fi[l] = load.f;
+            ti[l] = load.t;
+        }
+        const Real plus(sign);
+        addTo<Real>(fi, plus*force);
+        if constexpr (spin) addTo<Real>(ti, plus*torqueI);
+        if constexpr (!wall)
+        {
+            for (int l = 0; l < width; ++l)
+            {
+                Load& load = loads[list.j[k + std::size_t(l)]];
+                fi[l] = load.f;
+                ti[l] = load.t;
+            }
+            addTo<Real>(fi, (-plus)*force);
+            if constexpr (spin) addTo<Real>(ti, plus*torqueJ);
+        }
+
         bool anyEnded = false;
         for (int l = 0; l < width; ++l)
         {
-            const std::size_t kl = k + std::size_t(l);
-            Load& fi = loads[list.i[kl]];
-            fi.f[0] += sign*lane(force.x, l);
-            fi.f[1] += sign*lane(force.y, l);
-            fi.f[2] += sign*lane(force.z, l);
-            if constexpr (spin)
-            {
-                fi.t[0] += sign*lane(torqueI.x, l);
-                fi.t[1] += sign*lane(torqueI.y, l);
-                fi.t[2] += sign*lane(torqueI.z, l);
-            }
-            if constexpr (!wall)
-            {
-                Load& fj = loads[list.j[kl]];
-                fj.f[0] -= sign*lane(force.x, l);
-                fj.f[1] -= sign*lane(force.y, l);
-                fj.f[2] -= sign*lane(force.z, l);
-                if constexpr (spin)
-                {
-                    fj.t[0] += sign*lane(torqueJ.x, l);
-                    fj.t[1] += sign*lane(torqueJ.y, l);
-                    fj.t[2] += sign*lane(torqueJ.z, l);
-                }
-            }
             const bool over = lane(normal.remaining, l) < 0;
-            list.ended[kl] = over;
+            list.ended[k + std::size_t(l)] = over;
             anyEnded = anyEnded || over;
         }
         return anyEnded;
     }
 
 
-    template<bool wall>
+    template<Partner partner>
     static bool evaluateRange
     (
         ContactList& list, std::size_t begin, std::size_t end,
-        const Body* bodies, Load* loads, double h, double sign
+        const Body* bodies, Load* loads, double h, double sign,
+        const double* period
     )
     {
         bool anyEnded = false;
         std::size_t k = begin;
         for (; k + packWidth <= end; k += packWidth)
         {
-            anyEnded |= evaluate<Pack, wall>(list, k, bodies, loads, h, sign);
+            anyEnded |= evaluate<Pack, partner>(list, k, bodies, loads, h, sign, period);
         }
         for (; k < end; ++k)
         {
-            anyEnded |= evaluate<double, wall>(list, k, bodies, loads, h, sign);
+            anyEnded |= evaluate<double, partner>(list, k, bodies, loads, h, sign, period);
         }
         return anyEnded;
     }
@@ -457,10 +420,27 @@ public:
     bool evaluatePairs
     (
         ContactList& list, std::size_t begin, std::size_t end,
-        const Body* bodies, Load* loads, double h, double sign
+        const Body* bodies, Load* loads, double h, double sign,
+        const Periodic& p
     ) const override
     {
-        return evaluateRange<false>(list, begin, end, bodies, loads, h, sign);
+        if (p.on())
+        {
+            // a length that no difference reaches where there is no period
+            double period[3];
+            for (int d = 0; d < 3; ++d)
+            {
+                period[d] = p.length[d] > 0 ? p.length[d] : 1e300;
+            }
+            return evaluateRange<imagePartner>
+            (
+                list, begin, end, bodies, loads, h, sign, period
+            );
+        }
+        return evaluateRange<pairPartner>
+        (
+            list, begin, end, bodies, loads, h, sign, nullptr
+        );
     }
 
     bool evaluateWalls
@@ -469,7 +449,10 @@ public:
         const Body* bodies, Load* loads, double h, double sign
     ) const override
     {
-        return evaluateRange<true>(list, begin, end, bodies, loads, h, sign);
+        return evaluateRange<wallPartner>
+        (
+            list, begin, end, bodies, loads, h, sign, nullptr
+        );
     }
 };
 

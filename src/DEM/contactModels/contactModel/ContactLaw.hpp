@@ -8,6 +8,7 @@
 #include "contactModels/contactModel/NormalResponse.hpp"
 #include "contacts/ContactList.hpp"
 #include "materials/ContactSettings.hpp"
+#include "neighbourSearch/Periodic.hpp"
 
 #include <memory>
 #include <string>
@@ -71,7 +72,8 @@ public:
     virtual bool evaluatePairs
     (
         ContactList& list, std::size_t begin, std::size_t end,
-        const Body* bodies, Load* loads, double h, double sign
+        const Body* bodies, Load* loads, double h, double sign,
+        const Periodic& periodic
     ) const = 0;
 
     virtual bool evaluateWalls

@@ -16,32 +16,32 @@ using Pack = std::experimental::native_simd<double>;
 
 inline constexpr int packWidth = int(Pack::size());
 
-inline double select(bool c, double a, double b) { return c ? a : b; }
+[[gnu::always_inline]] inline double select(bool c, double a, double b) { return c ? a : b; }
 
-inline Pack select(const Pack::mask_type& c, const Pack& a, const Pack& b)
+[[gnu::always_inline]] inline Pack select(const Pack::mask_type& c, const Pack& a, const Pack& b)
 {
     Pack r = b;
     std::experimental::where(c, r) = a;
     return r;
 }
 
-inline double maximum(double a, double b) { return a > b ? a : b; }
-inline Pack maximum(const Pack& a, const Pack& b)
+[[gnu::always_inline]] inline double maximum(double a, double b) { return a > b ? a : b; }
+[[gnu::always_inline]] inline Pack maximum(const Pack& a, const Pack& b)
 {
     return std::experimental::max(a, b);
 }
 
-inline double minimum(double a, double b) { return a < b ? a : b; }
-inline Pack minimum(const Pack& a, const Pack& b)
+[[gnu::always_inline]] inline double minimum(double a, double b) { return a < b ? a : b; }
+[[gnu::always_inline]] inline Pack minimum(const Pack& a, const Pack& b)
 {
     return std::experimental::min(a, b);
 }
 
-inline double squareRoot(double a) { return std::sqrt(a); }
-inline Pack squareRoot(const Pack& a) { return std::experimental::sqrt(a); }
+[[gnu::always_inline]] inline double squareRoot(double a) { return std::sqrt(a); }
+[[gnu::always_inline]] inline Pack squareRoot(const Pack& a) { return std::experimental::sqrt(a); }
 
-inline double magnitude(double a) { return std::fabs(a); }
-inline Pack magnitude(const Pack& a) { return std::experimental::abs(a); }
+[[gnu::always_inline]] inline double magnitude(double a) { return std::fabs(a); }
+[[gnu::always_inline]] inline Pack magnitude(const Pack& a) { return std::experimental::abs(a); }
 
 //- Three Reals. Plain, so that the compiler keeps it in registers.
 template<class Real>
@@ -49,28 +49,28 @@ struct V3
 {
     Real x, y, z;
 
-    friend V3 operator+(const V3& a, const V3& b)
+    [[gnu::always_inline]] friend V3 operator+(const V3& a, const V3& b)
     {
         return {a.x + b.x, a.y + b.y, a.z + b.z};
     }
-    friend V3 operator-(const V3& a, const V3& b)
+    [[gnu::always_inline]] friend V3 operator-(const V3& a, const V3& b)
     {
         return {a.x - b.x, a.y - b.y, a.z - b.z};
     }
-    friend V3 operator*(const Real& s, const V3& a)
+    [[gnu::always_inline]] friend V3 operator*(const Real& s, const V3& a)
     {
         return {s*a.x, s*a.y, s*a.z};
     }
 };
 
 template<class Real>
-inline Real dot(const V3<Real>& a, const V3<Real>& b)
+[[gnu::always_inline]] inline Real dot(const V3<Real>& a, const V3<Real>& b)
 {
     return a.x*b.x + a.y*b.y + a.z*b.z;
 }
 
 template<class Real>
-inline V3<Real> cross(const V3<Real>& a, const V3<Real>& b)
+[[gnu::always_inline]] inline V3<Real> cross(const V3<Real>& a, const V3<Real>& b)
 {
     return {a.y*b.z - a.z*b.y, a.z*b.x - a.x*b.z, a.x*b.y - a.y*b.x};
 }
@@ -78,7 +78,7 @@ inline V3<Real> cross(const V3<Real>& a, const V3<Real>& b)
 //- A spring in the contact plane after the pair has turned: tangential to the new normal n,
 //  of the same length, turned with the pair's mean spin about n by the angle twist [rad].
 template<class Real>
-inline V3<Real> turned(const V3<Real>& spring, const V3<Real>& n, const Real& twist)
+[[gnu::always_inline]] inline V3<Real> turned(const V3<Real>& spring, const V3<Real>& n, const Real& twist)
 {
     const V3<Real> t = spring + twist*cross(n, spring);
     const V3<Real> p = t - dot(t, n)*n;

@@ -63,7 +63,7 @@ struct DMT
     }
 
     template<class Real>
-    static NormalResponse<Real> evaluate(const Real* c, const Real& overlap, Real* h)
+    [[gnu::always_inline]] static NormalResponse<Real> evaluate(const Real* c, const Real& overlap, Real* h)
     {
         NormalResponse<Real> r = Hertz::evaluate(c, overlap, h);
         const Real A = r.radius*c[4];

@@ -72,7 +72,7 @@ struct Hertz
     }
 
     template<class Real>
-    static NormalResponse<Real> evaluate(const Real* c, const Real& overlap, Real*)
+    [[gnu::always_inline]] static NormalResponse<Real> evaluate(const Real* c, const Real& overlap, Real*)
     {
         const Real d = maximum(overlap, Real(0));
         const Real a = squareRoot(c[0]*d);

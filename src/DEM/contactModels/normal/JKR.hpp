@@ -83,7 +83,7 @@ struct JKR
     }
 
     template<class Real>
-    static NormalResponse<Real> evaluate(const Real* c, const Real& overlap, Real*)
+    [[gnu::always_inline]] static NormalResponse<Real> evaluate(const Real* c, const Real& overlap, Real*)
     {
         const Real q = overlap*c[0] + Real(jkrCurve::neck);
         const Real s = jkrCurve::rootOf(q);

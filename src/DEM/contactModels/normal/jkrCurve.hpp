@@ -29,7 +29,7 @@ inline constexpr double neck = 0.5*sC;
 //  left once the square is divided out, so Newton steps on it keep full precision up to
 //  the very end of the neck. The start is exact in both limits and 4 % off between.
 template<class Real>
-inline Real rootOf(const Real& qIn)
+[[gnu::always_inline]] inline Real rootOf(const Real& qIn)
 {
     const Real q = maximum(qIn, Real(1e-30));
     const Real w = squareRoot(q);

@@ -66,7 +66,7 @@ struct simplifiedJKR
     }
 
     template<class Real>
-    static NormalResponse<Real> evaluate(const Real* c, const Real& overlap, Real*)
+    [[gnu::always_inline]] static NormalResponse<Real> evaluate(const Real* c, const Real& overlap, Real*)
     {
         const Real d = maximum(overlap, Real(0));
         const Real s = jkrCurve::rootOf(d*c[0] + Real(jkrCurve::neck));

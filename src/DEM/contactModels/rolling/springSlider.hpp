@@ -102,7 +102,7 @@ struct springSlider
 
     //- The vector M with torque on i = -n x M [N m]
     template<class Real>
-    static V3<Real> evaluate
+    [[gnu::always_inline]] static V3<Real> evaluate
     (
         const Real* c,
         const Real& strength,

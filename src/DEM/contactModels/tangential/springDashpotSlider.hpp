@@ -59,14 +59,14 @@ struct springDashpotSlider
 
     //- mu |F_N + 2 F_C| [N]
     template<class Real>
-    static Real limit(const Real* c, const Real& elastic)
+    [[gnu::always_inline]] static Real limit(const Real* c, const Real& elastic)
     {
         return c[2]*magnitude(elastic + c[3]);
     }
 
     //- Force on i [N]; xi is moved on by slip [m] and cut back at the limit
     template<class Real>
-    static V3<Real> evaluate
+    [[gnu::always_inline]] static V3<Real> evaluate
     (
         const Real* c,
         const Real& elastic,

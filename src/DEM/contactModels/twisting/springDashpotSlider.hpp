@@ -49,7 +49,7 @@ struct springDashpotSlider
 
     //- Moment on i along n [N m]
     template<class Real>
-    static Real evaluate
+    [[gnu::always_inline]] static Real evaluate
     (
         const Real* c,
         const Real& damping,

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Calls the kernels of one contact law for contacts placed by hand, without any motion.
+#pragma once
+
+#include "contactModels/contactModel/ContactLaw.hpp"
+#include "scene.hpp"
+
+namespace bench
+{
+
+using dem::Vec3;
+
+//- One contact along n (from i to j, or into the wall) and how its partners move
+struct Placed
+{
+    double ri, rj;                  // rj <= 0: flat wall
+    double overlap;
+    Vec3 n = Vec3::UnitX();
+    // motion over the step, by which springs are moved on
+    Vec3 vHalfI = Vec3::Zero(), vHalfJ = Vec3::Zero();
+    Vec3 wHalfI = Vec3::Zero(), wHalfJ = Vec3::Zero();
+    // velocities that the dashpots see
+    Vec3 vI = Vec3::Zero(), vJ = Vec3::Zero();
+    Vec3 wI = Vec3::Zero(), wJ = Vec3::Zero();
+};
+
+struct Loads { Vec3 forceI, forceJ, torqueI, torqueJ; };
+
+inline void put(double* to, const Vec3& from)
+{
+    for (int d = 0; d < 3; ++d) to[d] = from[d];
+}
+
+//- A list of contacts of one pair of materials, evaluated together
+class ContactBench
+{
+public:
+
+    explicit ContactBench(const scene::Law& law)
+    :
+        law_(law),
+        table_(law.table())
+    {
+        const std::size_t l = std::size_t(table_.lawIndex(0, 1));
+        contactLaw_ = table_.laws()[l].get();
+        pairs_.setUp(contactLaw_->nConstants(), contactLaw_->nHistory(), false);
+        walls_.setUp(contactLaw_->nConstants(), contactLaw_->nHistory(), true);
+    }
+
+    const dem::ContactLaw& law() const { return *contactLaw_; }
+    const dem::MaterialTable& table() const { return table_; }
+
+    std::vector<double> constants(double ri, double rj) const
+    {
+        std::vector<double> c(dem::maxConstants, 0.0);
+        const double mi = law_.mass(ri), mj = rj > 0 ? law_.mass(rj) : 0;
+        const double R = rj > 0 ? ri*rj/(ri + rj) : ri;
+        const double m = rj > 0 ? mi*mj/(mi + mj) : mi;
+        contactLaw_->prepare
+        (
+            table_.pairInLaw(0, 1), {table_.constants(0, 1), R, m}, c.data()
+        );
+        return c;
+    }
+
+    dem::NormalResponse<double> normal(double ri, double rj, double overlap) const
+    {
+        return contactLaw_->normalResponse(constants(ri, rj).data(), overlap);
+    }
+
+    void add(const Placed& p)
+    {
+        const int i = int(bodies_.size());
+        bodies_.emplace_back();
+        bodies_.emplace_back();
+        loads_.resize(bodies_.size());
+        dem::ContactList& list = p.rj > 0 ? pairs_ : walls_;
+        list.append
+        (
+            i, p.rj > 0 ? i + 1 : 0, 0, constants(p.ri, p.rj).data(), nullptr
+        );
+        tags_.push_back({p.rj > 0, list.size() - 1});
+        place(tags_.size() - 1, p);
+    }
+
+    //- Move contact k, keeping its history
+    void place(std::size_t k, const Placed& p)
+    {
+        dem::Body& a = bodies_[2*k];
+        dem::Body& b = bodies_[2*k + 1];
+        a = {};
+        b = {};
+        a.r = p.ri;
+        b.r = p.rj > 0 ? p.rj : 0;
+        put(a.v, p.vI); put(b.v, p.vJ);
+        put(a.vHalf, p.vHalfI); put(b.vHalf, p.vHalfJ);
+        put(a.w, p.wI); put(b.w, p.wJ);
+        put(a.wHalf, p.wHalfI); put(b.wHalf, p.wHalfJ);
+        if (p.rj > 0)
+        {
+            put(b.x, (p.ri + p.rj - p.overlap)*p.n);
+        }
+        else
+        {
+            const std::size_t l = tags_[k].index;
+            walls_.nx[l] = p.n.x();
+            walls_.ny[l] = p.n.y();
+            walls_.nz[l] = p.n.z();
+            walls_.overlap[l] = p.overlap;
+        }
+    }
+
+    //- Evaluate everything; contacts of one kind go to the kernel in one call, or one by one
+    void evaluate(double h = 0, bool together = true)
+    {
+        for (dem::Load& l : loads_) l = {};
+        const auto run = [&](std::size_t first, std::size_t last, bool wall)
+        {
+            if (wall)
+            {
+                contactLaw_->evaluateWalls
+                (
+                    walls_, first, last, bodies_.data(), loads_.data(), h, 1
+                );
+            }
+            else
+            {
+                contactLaw_->evaluatePairs
+                (
+                    pairs_, first, last, bodies_.data(), loads_.data(), h, 1
+                );
+            }
+        };
+        for (const bool wall : {false, true})
+        {
+            const std::size_t n = wall ? walls_.size() : pairs_.size();
+            if (together) run(0, n, wall);
+            else for (std::size_t k = 0; k < n; ++k) run(k, k + 1, wall);
+        }
+    }
+
+    Loads loads(std::size_t k) const
+    {
+        const auto vector = [](const double* p) { return Vec3(p[0], p[1], p[2]); };
+        const dem::Load& a = loads_[2*k];
+        const dem::Load& b = loads_[2*k + 1];
+        return {vector(a.f), vector(b.f), vector(a.t), vector(b.t)};
+    }
+
+    bool ended(std::size_t k) const
+    {
+        return (tags_[k].pair ? pairs_ : walls_).ended[tags_[k].index] != 0;
+    }
+
+    std::vector<double> history(std::size_t k) const
+    {
+        const dem::ContactList& list = tags_[k].pair ? pairs_ : walls_;
+        std::vector<double> h;
+        for (const auto& column : list.history) h.push_back(column[tags_[k].index]);
+        return h;
+    }
+
+private:
+
+    struct Tag { bool pair; std::size_t index; };
+
+    scene::Law law_;
+    dem::MaterialTable table_;
+    const dem::ContactLaw* contactLaw_;
+    dem::ContactList pairs_, walls_;
+    std::vector<Tag> tags_;
+    std::vector<dem::Body> bodies_;
+    std::vector<dem::Load> loads_;
+};
+
+}
