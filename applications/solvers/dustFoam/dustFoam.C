@@ -76,6 +76,7 @@ int main(int argc, char *argv[])
 
     #include "setRootCaseLists.H"
     #include "createTime.H"
+    #include "exactTime.H"
     #include "createMesh.H"
     #include "createFields.H"
 

@@ -28,21 +28,30 @@ struct PairConstants
     double realE;           // [Pa], chi = 1
     double realGamma;       // [J/m2], chi = 1
     double chi;             // E/realE
-    double resistanceGamma; // gamma from which rolling and sliding limits are made [J/m2]
-    double resistanceChi;   // chi of the radius in rolling and twisting limits
+    bool softened;          // false: the real contact
+    bool scaleResistance;   // limits() are softened as well (studies)
+
+    //- The same pair without softening
+    PairConstants real() const
+    {
+        return {realE, G/chi, realGamma, realE, realGamma, 1, false, scaleResistance};
+    }
+
+    //- The pair from whose numbers the limits of rolling, sliding and twisting are made
+    PairConstants limits() const { return scaleResistance ? *this : real(); }
 };
 
 //- Dimensional figures of one contact, for tables and checks
 struct ContactFigures
 {
     double R, m;            // effective radius [m], mass [kg]
-    double pullOff;         // F_C = 3 pi R gamma as softened [N] (DMT: 4 pi R gamma)
+    double pullOff;         // F_C = 3 pi R gamma as softened [N] (DMT: 4 pi R gamma ...)
     double realPullOff;     // at chi = 1 [N]
     double a0, delta0, deltaC;  // equilibrium contact radius and overlap, neck length [m]
     double tabor;           // lambda_T of the real material [-]
     double period;          // shortest period at equilibrium or at impact speed v [s]
-    double impactTime;      // Hertz contact time at v [s]
-    double impactOverlap;   // Hertz peak overlap at v [m]
+    double impactTime;      // contact time at v without adhesion and damping [s]
+    double impactOverlap;   // peak overlap at v without adhesion and damping [m]
 };
 
 class MaterialTable

@@ -899,7 +899,12 @@ std::vector<ContactView> System::contacts() const
                 wall ? p.radius : p.radius*q.radius/(p.radius + q.radius);
             const double m = wall ? p.mass : p.mass*q.mass/(p.mass + q.mass);
             double constants[maxConstants];
-            law.prepare(s.materials.pairInLaw(p.material, mj), {pair, R, m}, constants);
+            const double skew =
+                wall ? -0.5 : 0.5*(p.radius - q.radius)/(p.radius + q.radius);
+            law.prepare
+            (
+                s.materials.pairInLaw(p.material, mj), {pair, R, m, skew}, constants
+            );
 
             // the kernels work on a copy of the history
             Body bodies[2] = {};

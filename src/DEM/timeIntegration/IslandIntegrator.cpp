@@ -174,10 +174,16 @@ void IslandIntegrator::begin
         e.invInertia = bi.invI + bodies_[std::size_t(j)].invI;
         candidates_[std::size_t(candidate)].touching = true;
     }
+    double skew = -0.5;
+    if (!wall)
+    {
+        const double ri = p.radius, rj = particles_[std::size_t(j)].radius;
+        skew = 0.5*(ri - rj)/(ri + rj);
+    }
     double constants[maxConstants];
     law.prepare
     (
-        materials_.pairInLaw(p.material, mj), {pair, e.R, e.m}, constants
+        materials_.pairInLaw(p.material, mj), {pair, e.R, e.m, skew}, constants
     );
     e.neck = law.reach(pair.gamma, pair.E, e.R);
     e.pullOff = law.pullOff(pair.gamma, e.R);
@@ -618,7 +624,8 @@ void IslandIntegrator::setFlight(double h)
         {
             f.e, f.p1, f.p2,
             g.SpOmega > 0 ? std::exp(-g.SpOmega*bodies_[k].invI*h) : 1,
-            {b[0], b[1], b[2]}
+            {b[0], b[1], b[2]},
+            {g.omegaC[0], g.omegaC[1], g.omegaC[2]}
         };
     }
 }
@@ -651,35 +658,50 @@ void IslandIntegrator::evaluate(double h, StepReport& report)
 }
 
 
-void IslandIntegrator::step(double h, StepReport& report)
+//- First kick and flight over h; returns the largest |v|^2
+template<bool gas>
+double IslandIntegrator::drift(double h)
 {
-    setFlight(h);
-
+    if constexpr (gas) setFlight(h);
     double fastest = 0;
     for (const int i : awake_)
     {
         const std::size_t k = std::size_t(i);
         Body& b = bodies_[k];
         const Load& l = loads_[k];
-        const Flight& f = flight_[k];
-        const GasLoad& g = gas_[k];
         const double kick = 0.5*h*b.invM, turn = 0.5*h*b.invI;
         double square = 0;
         for (int d = 0; d < 3; ++d)
         {
             const double v = b.v[d] + kick*l.f[d];
-            b.x[d] += f.p1*v + f.p2*f.b[d];
-            b.vHalf[d] = f.e*v + f.p1*f.b[d];
-            impulse_[k][d] += b.m*(b.vHalf[d] - v);
-            b.v[d] = b.vHalf[d] + kick*l.f[d];
-            square += std::max(v*v, b.vHalf[d]*b.vHalf[d]);
-
             const double w = b.w[d] + turn*l.t[d];
-            b.wHalf[d] = g.omegaC[d] + f.eSpin*(w - g.omegaC[d]);
+            if constexpr (gas)
+            {
+                const Flight& f = flight_[k];
+                b.x[d] += f.p1*v + f.p2*f.b[d];
+                b.vHalf[d] = f.e*v + f.p1*f.b[d];
+                impulse_[k][d] += b.m*(b.vHalf[d] - v);
+                b.wHalf[d] = f.omegaC[d] + f.eSpin*(w - f.omegaC[d]);
+            }
+            else
+            {
+                b.x[d] += h*v;
+                b.vHalf[d] = v;
+                b.wHalf[d] = w;
+            }
+            b.v[d] = b.vHalf[d] + kick*l.f[d];
             b.w[d] = b.wHalf[d] + turn*l.t[d];
+            square += std::max(v*v, b.vHalf[d]*b.vHalf[d]);
         }
         fastest = std::max(fastest, square);
     }
+    return fastest;
+}
+
+
+void IslandIntegrator::step(double h, StepReport& report)
+{
+    const double fastest = vacuum_ ? drift<false>(h) : drift<true>(h);
     fastest_ = std::sqrt(fastest);
     moved_ += fastest_*h;
     if (2*moved_ > 0.5*skin_) refreshNear();
@@ -1039,6 +1061,11 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
     awake_.clear();
     smallest_ = 1e300;
     flightStep_ = -1;
+    vacuum_ = true;
+    for (const GasLoad& g : gas_)
+    {
+        vacuum_ = vacuum_ && g.Sp == 0 && g.SpOmega == 0 && g.Su.isZero(0);
+    }
     for (std::size_t i = 0; i < n; ++i)
     {
         const Particle& p = particles_[i];
@@ -1158,10 +1185,9 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
     if (anyContact())
     {
         const double needed = contactStep(time + dt, report)*time_.stepsPerContact;
-        if (flightStep_ > 0)
+        if (h > 0)
         {
-            report.minStepsPerContact =
-                std::min(report.minStepsPerContact, needed/std::max(flightStep_, 1e-300));
+            report.minStepsPerContact = std::min(report.minStepsPerContact, needed/h);
         }
     }
 

@@ -132,7 +132,7 @@ private:
     struct Flight
     {
         double e, p1, p2, eSpin;
-        double b[3];
+        double b[3], omegaC[3];
     };
 
     // Contacts
@@ -147,6 +147,7 @@ private:
 
     // Stepping
     void step(double h, StepReport& report);
+    template<bool gas> double drift(double h);
     void setFlight(double h);
     void evaluate(double h, StepReport& report);
     void updateWalls();
@@ -196,6 +197,7 @@ private:
     double moved_ = 0;          // [m] path of the fastest since refreshNear()
     double fastest_ = 0;        // [m/s]
     double smallest_ = 0;       // [m] radius
+    bool vacuum_ = false;       // no gas force on any particle
     bool exactEvents_ = true;   // end steps where contacts begin and end
 };
 

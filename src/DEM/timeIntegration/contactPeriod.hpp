@@ -26,12 +26,26 @@ struct ElasticBound
 {
     double radius;      // a [m]
     double stiffness;   // k_N [N/m]
+    double buildUp = 0; // growth of the pull-off force by then [N]
+};
+
+//- A head-on impact without adhesion and damping
+struct Impact
+{
+    double overlap;     // [m]
+    double time;        // in contact [s]
 };
 
 //- Hertz peak overlap [m] at speed v: (15/16 m v^2/(E R^(1/2)))^(2/5)
 inline double impactOverlap(double E, double R, double m, double v)
 {
     return std::pow(15.0/16.0*m*v*v/(E*std::sqrt(R)), 0.4);
+}
+
+inline Impact hertzianImpact(double E, double R, double m, double v)
+{
+    const double overlap = impactOverlap(E, R, m, v);
+    return {overlap, v > 0 ? 2.94327*overlap/v : 0};
 }
 
 inline ElasticBound hertzianBound

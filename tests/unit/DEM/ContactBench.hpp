@@ -66,7 +66,8 @@ public:
 
     dem::NormalResponse<double> normal(double ri, double rj, double overlap) const
     {
-        return contactLaw_->normalResponse(constants(ri, rj).data(), overlap);
+        double history[dem::maxHistory] = {};
+        return contactLaw_->normalResponse(constants(ri, rj).data(), overlap, history);
     }
 
     void add(const Placed& p)
@@ -128,7 +129,7 @@ public:
             {
                 contactLaw_->evaluatePairs
                 (
-                    pairs_, first, last, bodies_.data(), loads_.data(), h, 1
+                    pairs_, first, last, bodies_.data(), loads_.data(), h, 1, {}
                 );
             }
         };

@@ -94,6 +94,7 @@ class Composite : public ContactLaw
         const V4<Real> xi4 = gather(bi, &Body::x);
         const Real ri = xi4.w;
         Real rj(0);
+        Real inverseDistance(0);
         V3<Real> n;
         Real overlap;
         V3<Real> v = gather(bi, &Body::v).v;
@@ -114,7 +115,8 @@ class Composite : public ContactLaw
                 d.z = nearest(d.z, period[2]);
             }
             const Real distance = squareRoot(maximum(dot(d, d), Real(1e-290)));
-            n = (Real(1)/distance)*d;
+            inverseDistance = Real(1)/distance;
+            n = inverseDistance*d;
             overlap = ri + rj - distance;
             storeReal<Real>(&list.overlap[k], overlap);
             v = v - gather(bj, &Body::v).v;
@@ -165,9 +167,16 @@ class Composite : public ContactLaw
             const V3<Real> slipHalf = vHalf - dot(vHalf, n)*n + cross(armHalf, n);
 
             const Real step(h);
-            // a wall does not turn: the spring stays with it
-            const Real twistMean =
-                wall ? Real(0) : step*Real(0.5)*dot(wSumHalf, n);
+            // How the normal has turned in this step. On a wall that is not known, and a
+            // wall does not spin: the spring stays with it.
+            const V3<Real> dn =
+                (Real(-1)*step*inverseDistance)*(vHalf - dot(vHalf, n)*n);
+            const Real twistMean = step*Real(0.5)*dot(wSumHalf, n);
+            const auto turn = [&](const V3<Real>& spring)
+            {
+                if constexpr (wall) return turned(spring, n);
+                else return turned(spring, n, dn, twistMean);
+            };
 
             Real slidingLimit(0);
             if constexpr (Tangential::on)
@@ -178,7 +187,7 @@ class Composite : public ContactLaw
                     loadReal<Real>(&list.history[hT + 1][k]),
                     loadReal<Real>(&list.history[hT + 2][k])
                 };
-                xi = turned(xi, n, twistMean);
+                xi = turn(xi);
                 const V3<Real> ft = Tangential::template evaluate<Real>
                 (
                     c + cT, normal.elastic, normal.damping, normal.radius,
@@ -197,9 +206,8 @@ class Composite : public ContactLaw
 
             if constexpr (Rolling::on)
             {
-                // (1/2)(r_i - r_j)/(r_i + r_j); -1/2 on a wall
-                const Real skew =
-                    wall ? Real(-0.5) : Real(0.5)*(ri - rj)/(ri + rj);
+                // the last two constants of every rolling part
+                const Real skew = c[cR + Rolling::nConstants - 2];
                 const Real R = c[cR + Rolling::nConstants - 1];
                 const V3<Real> rollV = R*cross(wRel, n) + skew*slipV;
                 const V3<Real> rollHalf = R*cross(wRelHalf, n) + skew*slipHalf;
@@ -209,7 +217,7 @@ class Composite : public ContactLaw
                     loadReal<Real>(&list.history[hR + 1][k]),
                     loadReal<Real>(&list.history[hR + 2][k])
                 };
-                xi = turned(xi, n, twistMean);
+                xi = turn(xi);
                 const V3<Real> M = Rolling::template evaluate<Real>
                 (
                     c + cR, normal.strength, step*rollHalf, rollV, xi

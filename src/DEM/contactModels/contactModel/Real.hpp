@@ -75,17 +75,36 @@ template<class Real>
     return {a.y*b.z - a.z*b.y, a.z*b.x - a.x*b.z, a.x*b.y - a.y*b.x};
 }
 
-//- A spring in the contact plane after the pair has turned: tangential to the new normal n,
-//  of the same length, turned with the pair's mean spin about n by the angle twist [rad].
+//- Whether a condition holds for any contact: what is rare need not be computed for all
+[[gnu::always_inline]] inline bool any(bool c) { return c; }
+[[gnu::always_inline]] inline bool any(const Pack::mask_type& c)
+{
+    return std::experimental::any_of(c);
+}
+
+//- A spring in the contact plane after its normal has turned from n - dn to n, and the pair
+//  with it about n by the angle twist [rad]: the rotation that takes the one normal to the
+//  other, to fourth order in |dn|.
 template<class Real>
-[[gnu::always_inline]] inline V3<Real> turned(const V3<Real>& spring, const V3<Real>& n, const Real& twist)
+[[gnu::always_inline]] inline V3<Real> turned
+(
+    const V3<Real>& spring, const V3<Real>& n, const V3<Real>& dn, const Real& twist
+)
 {
     const V3<Real> t = spring + twist*cross(n, spring);
-    const V3<Real> p = t - dot(t, n)*n;
-    const Real before = dot(spring, spring);
-    const Real after = dot(p, p);
+    return t - dot(t, n)*(n - Real(0.5)*dn);
+}
+
+//- The same where dn is not known: projected and brought back to its length
+template<class Real>
+[[gnu::always_inline]] inline V3<Real> turned(const V3<Real>& spring, const V3<Real>& n)
+{
+    const V3<Real> p = spring - dot(spring, n)*n;
     const Real tiny(1e-290);
-    const Real scale = squareRoot(maximum(before, tiny)/maximum(after, tiny));
+    const Real scale = squareRoot
+    (
+        maximum(dot(spring, spring), tiny)/maximum(dot(p, p), tiny)
+    );
     return scale*p;
 }
 

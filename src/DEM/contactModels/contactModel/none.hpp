@@ -12,6 +12,10 @@ struct none
 {
     static constexpr const char* model = "none";
     static constexpr bool on = false;
+    static constexpr bool elasticOnly = false;
+    static constexpr bool bends = false;
+    static constexpr bool limitedBySliding = false;
+    static constexpr bool limitedByBending = false;
     static constexpr int nConstants = 0;
     static constexpr int nHistory = 0;
 

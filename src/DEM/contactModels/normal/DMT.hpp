@@ -22,7 +22,8 @@ namespace normal
 struct DMT
 {
     static constexpr const char* model = "DMT";
-    static constexpr bool adhesive = true;
+    static constexpr bool elastic = true;
+    static constexpr bool atDistance = false;
     static constexpr int nConstants = Hertz::nConstants + 2;
     static constexpr int nHistory = 0;
 
@@ -31,12 +32,20 @@ struct DMT
     using Parameters = Hertz::Parameters;
     static Parameters read(const PartInput& input) { return Hertz::read(input); }
 
-    static double pullOff(double gamma, double R) { return 4*M_PI*R*gamma; }
-    static double slidingOffset(double pullOff) { return pullOff; }
-    static double reach(double, double, double) { return 0; }
-    static double equilibriumRadius(double gamma, double E, double R)
+    static double pullOff(const Parameters&, const PairConstants& c, double R)
     {
-        return std::cbrt(3*M_PI*gamma*R*R/E);
+        return 4*M_PI*R*c.gamma;
+    }
+    static double slidingOffset(double pullOff) { return pullOff; }
+    static double reach(const Parameters&, const PairConstants&, double) { return 0; }
+    static double equilibriumRadius(const Parameters&, const PairConstants& c, double R)
+    {
+        return std::cbrt(3*M_PI*c.gamma*R*R/c.E);
+    }
+    //- dF_N/d(delta) at equilibrium [N/m]
+    static double loadingStiffness(const Parameters& p, const PairConstants& c, double R)
+    {
+        return 2*c.E*equilibriumRadius(p, c, R);
     }
     static double tangentialDampingRatio(const PairConstants& p)
     {
@@ -46,19 +55,19 @@ struct DMT
     static void prepare(const Parameters& p, const ContactScale& s, double* c)
     {
         Hertz::prepare(p, s, c);
-        c[3] = pullOff(s.pair.gamma, s.R);
-        c[4] = 1/equilibriumRadius(s.pair.gamma, s.pair.E, s.R);
+        c[3] = pullOff(p, s.pair, s.R);
+        c[4] = 1/equilibriumRadius(p, s.pair, s.R);
     }
 
-    static double touchDistance(const Parameters&) { return 0; }
+    static double touchDistance(const Parameters&, const PairConstants&) { return 0; }
     static ElasticBound bound
     (
-        const Parameters&, const ContactScale& s, double overlap, double speed
+        const Parameters& p, const ContactScale& s, double overlap, double speed, const double*
     )
     {
         return hertzianBound
         (
-            s, equilibriumRadius(s.pair.gamma, s.pair.E, s.R), overlap, speed
+            s, equilibriumRadius(p, s.pair, s.R), overlap, speed
         );
     }
 

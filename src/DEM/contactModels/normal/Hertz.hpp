@@ -28,7 +28,8 @@ namespace normal
 struct Hertz
 {
     static constexpr const char* model = "Hertz";
-    static constexpr bool adhesive = false;
+    static constexpr bool elastic = true;
+    static constexpr bool atDistance = false;
     static constexpr int nConstants = 3;
     static constexpr int nHistory = 0;
 
@@ -41,10 +42,17 @@ struct Hertz
 
     static Parameters read(const PartInput& input) { return {input.dampingRatio()}; }
 
-    static double pullOff(double, double) { return 0; }
+    static double pullOff(const Parameters&, const PairConstants&, double) { return 0; }
     static double slidingOffset(double) { return 0; }
-    static double reach(double, double, double) { return 0; }
-    static double equilibriumRadius(double, double, double) { return 0; }
+    static double reach(const Parameters&, const PairConstants&, double) { return 0; }
+    static double equilibriumRadius(const Parameters&, const PairConstants&, double)
+    {
+        return 0;
+    }
+    static double loadingStiffness(const Parameters&, const PairConstants&, double)
+    {
+        return 0;
+    }
 
     //- eta_T/eta_N = (S_t/S_n)^(1/2) (Haervig et al. 2017, eq. 16)
     static double tangentialDampingRatio(const PairConstants& p)
@@ -60,12 +68,12 @@ struct Hertz
     }
 
     //- Contact begins at overlap = -touchDistance [m]
-    static double touchDistance(const Parameters&) { return 0; }
+    static double touchDistance(const Parameters&, const PairConstants&) { return 0; }
 
     //- Radius and stiffness that the contact will have at its stiffest, for the contact step
     static ElasticBound bound
     (
-        const Parameters&, const ContactScale& s, double overlap, double speed
+        const Parameters&, const ContactScale& s, double overlap, double speed, const double*
     )
     {
         return hertzianBound(s, 0, overlap, speed);

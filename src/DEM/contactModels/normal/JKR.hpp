@@ -31,7 +31,8 @@ namespace normal
 struct JKR
 {
     static constexpr const char* model = "JKR";
-    static constexpr bool adhesive = true;
+    static constexpr bool elastic = true;
+    static constexpr bool atDistance = false;
     static constexpr int nConstants = 4;
     static constexpr int nHistory = 0;
 
@@ -47,38 +48,46 @@ struct JKR
         return {std::sqrt(5.0)*input.dampingRatio()};
     }
 
-    static double pullOff(double gamma, double R) { return 3*M_PI*R*gamma; }
-    static double slidingOffset(double pullOff) { return 2*pullOff; }
-    static double equilibriumRadius(double gamma, double E, double R)
+    static double pullOff(const Parameters&, const PairConstants& c, double R)
     {
-        return std::cbrt(9*M_PI*gamma*R*R/E);
+        return 3*M_PI*R*c.gamma;
+    }
+    static double slidingOffset(double pullOff) { return 2*pullOff; }
+    static double equilibriumRadius(const Parameters&, const PairConstants& c, double R)
+    {
+        return std::cbrt(9*M_PI*c.gamma*R*R/c.E);
+    }
+    //- dF_N/d(delta) at A = 1 [N/m]
+    static double loadingStiffness(const Parameters& p, const PairConstants& c, double R)
+    {
+        return 1.2*c.E*equilibriumRadius(p, c, R);
     }
     //- delta_C [m]
-    static double reach(double gamma, double E, double R)
+    static double reach(const Parameters& p, const PairConstants& c, double R)
     {
-        const double a0 = equilibriumRadius(gamma, E, R);
+        const double a0 = equilibriumRadius(p, c, R);
         return jkrCurve::neck*a0*a0/R;
     }
     static double tangentialDampingRatio(const PairConstants&) { return 1; }
 
     static void prepare(const Parameters& p, const ContactScale& s, double* c)
     {
-        const double a0 = equilibriumRadius(s.pair.gamma, s.pair.E, s.R);
+        const double a0 = equilibriumRadius(p, s.pair, s.R);
         c[0] = s.R/(a0*a0);
-        c[1] = 4*pullOff(s.pair.gamma, s.R);
+        c[1] = 4*pullOff(p, s.pair, s.R);
         c[2] = a0;
         c[3] = p.alpha*std::sqrt(s.m*4.0/3.0*s.pair.E*a0);
     }
 
-    static double touchDistance(const Parameters&) { return 0; }
+    static double touchDistance(const Parameters&, const PairConstants&) { return 0; }
     static ElasticBound bound
     (
-        const Parameters&, const ContactScale& s, double overlap, double speed
+        const Parameters& p, const ContactScale& s, double overlap, double speed, const double*
     )
     {
         return hertzianBound
         (
-            s, equilibriumRadius(s.pair.gamma, s.pair.E, s.R), overlap, speed
+            s, equilibriumRadius(p, s.pair, s.R), overlap, speed
         );
     }
 

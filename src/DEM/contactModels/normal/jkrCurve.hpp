@@ -26,26 +26,35 @@ inline constexpr double neck = 0.5*sC;
 //- s = (a/a0)^(1/2), the largest root, from q = (delta + delta_C) R/a0^2 >= 0.
 //
 //  With u = s - s_c the quartic is q = u^2 ((u + 2 s_c)^2 + 2 s_c^2): no double root is
-//  left once the square is divided out, so Newton steps on it keep full precision up to
-//  the very end of the neck. The start is exact in both limits and 4 % off between.
+//  left once the square is divided out, so full precision is kept up to the very end of the
+//  neck. The start solves u (b + c u) = q^(1/2), b = 6^(1/2) s_c, which has the right form in
+//  both limits, times a polynomial fit of what it lacks (error 6e-6 over all q >= 0); one
+//  step of Halley's method, of third order, then leaves round-off only.
 template<class Real>
 [[gnu::always_inline]] inline Real rootOf(const Real& qIn)
 {
     const Real q = maximum(qIn, Real(1e-30));
     const Real w = squareRoot(q);
 
-    // u (b + c u) = w, b = sqrt(6) s_c
     constexpr double b = 2.449489742783178098*sC;
     constexpr double c = 0.93;
-    Real u = (2*w)/(Real(b) + squareRoot(Real(b*b) + Real(4*c)*w));
+    const Real inverse =
+        Real(1)/(Real(b) + squareRoot(Real(b*b) + Real(4*c)*w));
+    const Real z = b*inverse;       // in (0, 1/2]
+    const Real lacks =
+        Real(0.964367848053) + z*(Real(0.204483702143) + z*(Real(-0.0554813068713)
+      + z*(Real(-0.341532012632) + z*(Real(0.683256508106) + z*(Real(-2.45534270705)
+      + z*Real(1.53425464037))))));
+    Real u = Real(2)*w*inverse*lacks;
 
-    for (int k = 0; k < 3; ++k)
-    {
-        const Real v = u + Real(2*sC);
-        const Real B = v*v + Real(2*sC*sC);
-        // Newton on f(u) = u^2 B - q, f' = 2 u (B + u v)
-        u = u - (u*u*B - q)/(2*u*(B + u*v));
-    }
+    // f = u^2 B - q, f' = 2 u D, f'' = 2 (D + u (3 v + u)),  D = B + u v
+    const Real v = u + Real(2*sC);
+    const Real B = v*v + Real(2*sC*sC);
+    const Real D = B + u*v;
+    const Real f = u*u*B - q;
+    const Real slope = Real(2)*u*D;
+    const Real bend = Real(2)*(D + u*(Real(3)*v + u));
+    u = u - Real(2)*f*slope/(Real(2)*slope*slope - f*bend);
 
     return u + Real(sC);
 }

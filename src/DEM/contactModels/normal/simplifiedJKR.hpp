@@ -23,7 +23,8 @@ namespace normal
 struct simplifiedJKR
 {
     static constexpr const char* model = "simplifiedJKR";
-    static constexpr bool adhesive = true;
+    static constexpr bool elastic = true;
+    static constexpr bool atDistance = false;
     static constexpr int nConstants = 4;
     static constexpr int nHistory = 0;
 
@@ -32,12 +33,19 @@ struct simplifiedJKR
     using Parameters = Hertz::Parameters;
     static Parameters read(const PartInput& input) { return Hertz::read(input); }
 
-    static double pullOff(double gamma, double R) { return JKR::pullOff(gamma, R); }
-    static double slidingOffset(double pullOff) { return JKR::slidingOffset(pullOff); }
-    static double reach(double, double, double) { return 0; }
-    static double equilibriumRadius(double gamma, double E, double R)
+    static double pullOff(const Parameters&, const PairConstants& c, double R)
     {
-        return JKR::equilibriumRadius(gamma, E, R);
+        return JKR::pullOff({}, c, R);
+    }
+    static double slidingOffset(double pullOff) { return JKR::slidingOffset(pullOff); }
+    static double reach(const Parameters&, const PairConstants&, double) { return 0; }
+    static double equilibriumRadius(const Parameters&, const PairConstants& c, double R)
+    {
+        return JKR::equilibriumRadius({}, c, R);
+    }
+    static double loadingStiffness(const Parameters&, const PairConstants& c, double R)
+    {
+        return JKR::loadingStiffness({}, c, R);
     }
     static double tangentialDampingRatio(const PairConstants& p)
     {
@@ -46,22 +54,22 @@ struct simplifiedJKR
 
     static void prepare(const Parameters& p, const ContactScale& s, double* c)
     {
-        const double a0 = equilibriumRadius(s.pair.gamma, s.pair.E, s.R);
+        const double a0 = equilibriumRadius(p, s.pair, s.R);
         c[0] = s.R/(a0*a0);
-        c[1] = 4*pullOff(s.pair.gamma, s.R);
+        c[1] = 4*pullOff(p, s.pair, s.R);
         c[2] = s.R;
         c[3] = 2*std::sqrt(5.0/6.0)*p.beta*std::sqrt(2*s.pair.E*s.m);
     }
 
-    static double touchDistance(const Parameters&) { return 0; }
+    static double touchDistance(const Parameters&, const PairConstants&) { return 0; }
     static ElasticBound bound
     (
-        const Parameters&, const ContactScale& s, double overlap, double speed
+        const Parameters& p, const ContactScale& s, double overlap, double speed, const double*
     )
     {
         return hertzianBound
         (
-            s, equilibriumRadius(s.pair.gamma, s.pair.E, s.R), overlap, speed
+            s, equilibriumRadius(p, s.pair, s.R), overlap, speed
         );
     }
 

@@ -32,7 +32,7 @@ struct springSlider
 {
     static constexpr const char* model = "springSlider";
     static constexpr bool on = true;
-    static constexpr int nConstants = 5;
+    static constexpr int nConstants = 6;
     static constexpr int nHistory = 3;
 
     static std::vector<std::string> keywords()
@@ -89,15 +89,16 @@ struct springSlider
         c[1] = criticalDisplacement(p, s.R, r);
         c[2] = p.rollingDamping;
         c[3] = r.a0;
-        c[4] = s.R;
+        c[4] = s.skew;
+        c[5] = s.R;
     }
 
     //- 4 F_C R (a/a0)^(3/2) [N m/rad], a^2 = a0^2 + R delta
     static double rotationalStiffness(const double* c, double overlap)
     {
         const double growth =
-            c[3] > 0 ? 1 + std::max(overlap, 0.0)*c[4]/(c[3]*c[3]) : 1;
-        return c[0]*c[4]*std::pow(growth, 0.75);
+            c[3] > 0 ? 1 + std::max(overlap, 0.0)*c[5]/(c[3]*c[3]) : 1;
+        return c[0]*c[5]*std::pow(growth, 0.75);
     }
 
     //- The vector M with torque on i = -n x M [N m]
@@ -112,8 +113,13 @@ struct springSlider
     )
     {
         xi = xi + roll;
-        const Real size = squareRoot(maximum(dot(xi, xi), Real(1e-290)));
-        xi = select(size > c[1], c[1]/size, Real(1))*xi;
+        const Real square = dot(xi, xi);
+        const auto rolls = square > c[1]*c[1];
+        if (any(rolls))
+        {
+            const Real size = squareRoot(maximum(square, Real(1e-290)));
+            xi = select(rolls, c[1]/size, Real(1))*xi;
+        }
         return (c[0]*strength)*xi + c[2]*rollVelocity;
     }
 };

@@ -83,14 +83,16 @@ struct springDashpotSlider
         const V3<Real> dash = eta*slipVelocity;
         const V3<Real> trial = k*xi + dash;
         const Real cap = limit(c, elastic);
-        const Real size = squareRoot(maximum(dot(trial, trial), Real(1e-290)));
-        const auto slides = size > cap;
-        const Real cut = select(slides, cap/size, Real(1));
-        const V3<Real> held = cut*trial;
+        const Real square = dot(trial, trial);
+        const auto slides = square > cap*cap;
+        if (!any(slides)) return Real(-1)*trial;
+
+        const Real size = squareRoot(maximum(square, Real(1e-290)));
+        const V3<Real> held = select(slides, cap/size, Real(1))*trial;
         // k = 0 only at first touch of laws without a neck, where xi = 0 as well
-        const Real invK = Real(1)/maximum(k, Real(1e-290));
-        const Real keep = select(slides && k > Real(0), Real(1), Real(0));
-        xi = (Real(1) - keep)*xi + keep*(invK*(held - dash));
+        const Real inverse = Real(1)/maximum(k, Real(1e-290));
+        const Real cut = select(slides && k > Real(0), Real(1), Real(0));
+        xi = (Real(1) - cut)*xi + cut*(inverse*(held - dash));
         return Real(-1)*held;
     }
 };

@@ -66,9 +66,14 @@ struct springDashpotSlider
         xi = xi + twist;
         const Real trial = k*xi + dash;
         const Real cap = c[2]*radius*slidingLimit;
+        const auto slides = magnitude(trial) > cap;
+        if (!any(slides)) return -trial;
+
         const Real held = maximum(-cap, minimum(cap, trial));
-        const auto slides = magnitude(trial) > cap && k > Real(0);
-        xi = select(slides, (held - dash)/maximum(k, Real(1e-290)), xi);
+        xi = select
+        (
+            slides && k > Real(0), (held - dash)/maximum(k, Real(1e-290)), xi
+        );
         return -held;
     }
 };
