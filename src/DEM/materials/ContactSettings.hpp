@@ -10,19 +10,21 @@
 namespace dem
 {
 
-//- One part of a contact law: model name and its numbers, e.g. {"JKR", {{"restitution", 0.86}}}
+//- One part of a contact law: model name and its numbers, e.g. {"JKR", {{"restitution", 0.86}}},
+//  and words, e.g. {{"unloading", "initial"}}
 struct PartSettings
 {
     std::string model = "none";
     std::map<std::string, double> values;
+    std::map<std::string, std::string> words = {};
 };
 
 struct ContactSettings
 {
-    PartSettings normal;        // Hertz | simplifiedJKR | JKR | DMT
+    PartSettings normal;        // Hertz | simplifiedJKR | JKR | DMT | vanDerWaals | cohesivePlastic
     PartSettings tangential;    // springDashpotSlider | none
-    PartSettings rolling;       // springSlider | none
-    PartSettings twisting;      // springDashpotSlider | none
+    PartSettings rolling;       // springSlider | bending | none
+    PartSettings twisting;      // springDashpotSlider | cappedSpring | none
 
     //- Replaces 1/E = sum (1 - nu^2)/E_i [Pa]; still the real value, before softening
     std::optional<double> effectiveYoungsModulus;

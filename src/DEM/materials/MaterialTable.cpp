@@ -2,6 +2,7 @@
 #include "materials/MaterialTable.hpp"
 
 #include "contactModels/contactModel/ContactLaw.hpp"
+#include "contactModels/contactModel/contactModelTable.hpp"
 #include "contactModels/contactModel/none.hpp"
 #include "particles/errors.hpp"
 #include "timeIntegration/contactPeriod.hpp"
@@ -138,24 +139,33 @@ MaterialTable::MaterialTable
             c.E = chi*c.realE;
             c.G = chi*mixedG*c.realE/mixedE;
             c.gamma = softening_.surfaceEnergyFactor()*c.realGamma;
-            c.resistanceGamma = softening_.scaleResistance ? c.gamma : c.realGamma;
-            c.resistanceChi = softening_.scaleResistance ? chi : 1;
-
-            // Without adhesion every normal law is Hertz, and nothing resists rolling
-            if (c.realGamma == 0)
-            {
-                newContactLaw(s);   // its names are still checked
-                s.normal.model = "Hertz";
-                s.rolling = PartSettings();
-            }
-
-            std::unique_ptr<ContactLaw> law = newContactLaw(s);
-            std::size_t l = 0;
-            while (l < laws.size() && laws[l]->name() != law->name()) ++l;
-            if (l == laws.size()) laws.push_back(std::move(law));
+            c.softened = true;
+            c.scaleResistance = softening_.scaleResistance;
 
             try
             {
+                std::unique_ptr<ContactLaw> law = newContactLaw(s);
+                if (law->elastic() && c.realGamma == 0)
+                {
+                    law->addPair(s);    // its numbers are still checked
+                    s = withoutAdhesion(s);
+                    law = newContactLaw(s);
+                }
+                if (!law->elastic() && chi != 1)
+                {
+                    throw inputError
+                    (
+                        "normal/model",
+                        s.normal.model + " with reducedStiffness ratio "
+                      + text(chi).substr(3) + ", which softens elastic laws only",
+                        "ratio 1 (this law has a keyword softening), or an elastic law"
+                    );
+                }
+
+                std::size_t l = 0;
+                while (l < laws.size() && laws[l]->name() != law->name()) ++l;
+                if (l == laws.size()) laws.push_back(std::move(law));
+
                 // every pair, in either order, gets its own numbers
                 const int entry = laws[l]->addPair(s);
                 for (const std::size_t k : {i*n + j, j*n + i})
@@ -212,7 +222,10 @@ int MaterialTable::index(const std::string& name) const
 
 double MaterialTable::touchDistance(int i, int j) const
 {
-    return laws_[std::size_t(lawIndex(i, j))]->touchDistance(pairInLaw(i, j));
+    return laws_[std::size_t(lawIndex(i, j))]->touchDistance
+    (
+        pairInLaw(i, j), constants(i, j)
+    );
 }
 
 
@@ -227,11 +240,12 @@ ContactFigures MaterialTable::figures
     ContactFigures f;
     f.R = rj > 0 ? ri*rj/(ri + rj) : ri;
     f.m = rj > 0 ? mi*mj/(mi + mj) : mi;
-    f.pullOff = law.pullOff(p.gamma, f.R);
-    f.realPullOff = law.pullOff(p.realGamma, f.R);
-    f.a0 = law.equilibriumRadius(p.gamma, p.E, f.R);
+    const int pair = pairInLaw(i, j);
+    f.pullOff = law.pullOff(pair, p, f.R);
+    f.realPullOff = law.pullOff(pair, p.real(), f.R);
+    f.a0 = law.equilibriumRadius(pair, p, f.R);
     f.delta0 = f.a0*f.a0/(3*f.R);
-    f.deltaC = law.reach(p.gamma, p.E, f.R);
+    f.deltaC = law.reach(pair, p, f.R);
     constexpr double atomic = 1.65e-10;     // D_min [m]
     f.tabor = std::cbrt
     (
@@ -239,12 +253,14 @@ ContactFigures MaterialTable::figures
     );
     const ContactScale scale{p, f.R, f.m};
     double c[maxConstants];
-    law.prepare(pairInLaw(i, j), scale, c);
+    law.prepare(pair, scale, c);
     const double invInertia =
         2.5*(1/(mi*ri*ri) + (rj > 0 ? 1/(mj*rj*rj) : 0));
-    f.period = law.period(pairInLaw(i, j), scale, c, invInertia, 0, speed);
-    f.impactOverlap = impactOverlap(p.E, f.R, f.m, speed);
-    f.impactTime = speed > 0 ? 2.94327*f.impactOverlap/speed : 0;
+    const double history[maxHistory] = {};
+    f.period = law.period(pair, scale, c, history, invInertia, 0, speed);
+    const Impact impact = law.impact(pair, scale, speed);
+    f.impactOverlap = impact.overlap;
+    f.impactTime = impact.time;
     return f;
 }
 
@@ -260,7 +276,7 @@ double MaterialTable::reach(int material, double radius) const
         longest = std::max
         ({
             longest,
-            law.reach(p.gamma, p.E, radius),
+            law.reach(pairInLaw(material, j), p, radius),
             touchDistance(material, j)
         });
     }

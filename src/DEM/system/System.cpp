@@ -134,6 +134,15 @@ public:
     Labels label(const std::vector<double>& half, const std::vector<double>& bound) const;
     void integrate(std::vector<Member>& members, double dt, StepReport& report);
     StepReport advance(double dt);
+    StepReport advanceTogether
+    (
+        double dt, const std::vector<double>& bound, StepReport& report
+    );
+    void move
+    (
+        const Labels& labels, const std::vector<double>& half, double dt,
+        StepReport& report, Clock::time_point clock
+    );
 
     Member member(std::size_t i, double half) const
     {
@@ -518,7 +527,6 @@ StepReport System::Implementation::advance(double dt)
     StepReport report;
     Clock::time_point clock = Clock::now();
     const std::size_t n = particles.size();
-    const int rank = communicator.rank();
 
     std::vector<double> bound(n), half(n, 0.0);
     for (std::size_t i = 0; i < n; ++i)
@@ -528,6 +536,8 @@ StepReport System::Implementation::advance(double dt)
         if (awake(i)) half[i] = speedMargin*bound[i]*dt;
         else bound[i] = 0;
     }
+
+    if (!time.islands) return advanceTogether(dt, bound, report);
 
     // First by each one's own speed; then whoever can be hit may become as fast as the
     // fastest of its component.
@@ -541,6 +551,52 @@ StepReport System::Implementation::advance(double dt)
         half[i] = std::max(half[i], wide);
     }
     if (communicator.any(widened)) labels = label(half, bound);
+
+    move(labels, half, dt, report, clock);
+    return report;
+}
+
+
+//- Everything in one island with the step of the stiffest possible contact: what a
+//  conventional DEM code does. On the rank of the lowest id.
+StepReport System::Implementation::advanceTogether
+(
+    double dt, const std::vector<double>& bound, StepReport& report
+)
+{
+    Clock::time_point clock = Clock::now();
+    const std::size_t n = particles.size();
+    double fastest = 0, lowest = 1e300;
+    for (std::size_t i = 0; i < n; ++i)
+    {
+        fastest = std::max(fastest, bound[i]);
+        lowest = std::min(lowest, double(particles[i].id));
+    }
+    fastest = communicator.max(fastest);
+    const double first = -communicator.max(-lowest);
+    const double home = communicator.max(first == lowest ? communicator.rank() : -1);
+
+    Labels labels;
+    labels.component.assign(n, std::int64_t(first));
+    labels.speed.assign(n, fastest);
+    labels.active.assign(n, 1);
+    labels.shared.assign(n, communicator.parallel());
+    labels.alone.assign(n, 0);
+    labels.home.assign(n, int(home));
+    move(labels, std::vector<double>(n, speedMargin*fastest*dt), dt, report, clock);
+    return report;
+}
+
+
+//- Move everything, components as labelled
+void System::Implementation::move
+(
+    const Labels& labels, const std::vector<double>& half, double dt,
+    StepReport& report, Clock::time_point clock
+)
+{
+    const std::size_t n = particles.size();
+    const int rank = communicator.rank();
 
     // Sort out: closed-form flight, islands of this rank, islands moved elsewhere
     std::vector<std::size_t> flights;
@@ -623,7 +679,6 @@ StepReport System::Implementation::advance(double dt)
     }
     report.secondsSearch += since(clock);
     now += dt;
-    return report;
 }
 
 
@@ -965,11 +1020,14 @@ std::vector<ContactView> System::contacts() const
             }
             v.point = p.x + (p.radius - 0.5*v.overlap)*v.normal;
             v.force = Vec3(loads[0].f[0], loads[0].f[1], loads[0].f[2]);
-            v.pullOff = law.pullOff(pair.gamma, R);
             double history[maxHistory];
             std::copy(c.history, c.history + maxHistory, history);
-            v.contactRadius =
-                law.normalResponse(constants, v.overlap, history).radius;
+            const NormalResponse<double> normal =
+                law.normalResponse(constants, v.overlap, history);
+            v.contactRadius = normal.radius;
+            v.pullOff =
+                law.pullOff(s.materials.pairInLaw(p.material, mj), pair, R)
+              + normal.buildUp;
             v.resting = s.rest[i].resting;
             result.push_back(v);
         }

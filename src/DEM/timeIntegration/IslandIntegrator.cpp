@@ -185,9 +185,10 @@ void IslandIntegrator::begin
     (
         materials_.pairInLaw(p.material, mj), {pair, e.R, e.m, skew}, constants
     );
-    e.neck = law.reach(pair.gamma, pair.E, e.R);
-    e.pullOff = law.pullOff(pair.gamma, e.R);
-    e.a0 = law.equilibriumRadius(pair.gamma, pair.E, e.R);
+    const int pairInLaw = materials_.pairInLaw(p.material, mj);
+    e.neck = law.reach(pairInLaw, pair, e.R);
+    e.pullOff = law.pullOff(pairInLaw, pair, e.R);
+    e.a0 = law.equilibriumRadius(pairInLaw, pair, e.R);
     e.yield = law.rollingYield(constants);
 
     int tag;
@@ -775,14 +776,61 @@ double IslandIntegrator::contactStep(double time, StepReport& report)
                 {
                     c[a] = list.constants[a][k];
                 }
+                double history[maxHistory];
+                for (std::size_t a = 0; a < list.history.size(); ++a)
+                {
+                    history[a] = list.history[a][k];
+                }
                 const double period = materials_.laws()[l]->period
                 (
                     materials_.pairInLaw(mi, e.materialJ),
-                    {materials_.constants(mi, e.materialJ), e.R, e.m}, c, e.invInertia,
-                    list.overlap[k], std::fabs(speed)
+                    {materials_.constants(mi, e.materialJ), e.R, e.m}, c, history,
+                    e.invInertia, list.overlap[k], std::fabs(speed)
                 );
                 shortest = std::min(shortest, period);
             }
+        }
+    }
+    return shortest/time_.stepsPerContact;
+}
+
+
+//- The contact step of the stiffest contact that could come about
+double IslandIntegrator::stiffestStep(double speed) const
+{
+    double shortest = 1e300;
+    std::vector<const Particle*> smallest(materials_.materials().size(), nullptr);
+    for (const Particle& p : particles_)
+    {
+        const Particle*& s = smallest[std::size_t(p.material)];
+        if (!s || p.radius < s->radius) s = &p;
+    }
+    for (const Particle* p : smallest)
+    {
+        if (!p) continue;
+        for (const Particle* q : smallest)
+        {
+            if (!q) continue;
+            shortest = std::min
+            (
+                shortest,
+                materials_.figures
+                (
+                    p->material, q->material, p->radius, q->radius, p->mass, q->mass,
+                    2*speed
+                ).period
+            );
+        }
+        for (const WallPatch& w : wallSearch_.walls().patches)
+        {
+            shortest = std::min
+            (
+                shortest,
+                materials_.figures
+                (
+                    p->material, w.material, p->radius, -1, p->mass, 0, speed
+                ).period
+            );
         }
     }
     return shortest/time_.stepsPerContact;
@@ -1119,6 +1167,7 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
     form(report);
 
     exactEvents_ = candidates_.size() < denseIsland;
+    const double stiffest = time_.islands ? 0 : stiffestStep(speedBound);
     const int lookInterval = exactEvents_ ? stepsBetweenLooks : stepsBetweenLooksDense;
     double t = 0, h = 0, sinceLook = 0;
     int looked = lookInterval, shortened = 0;
@@ -1127,7 +1176,20 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
     {
         const double left = dt - t;
         double now;
-        if (anyContact())
+        if (!time_.islands)
+        {
+            if (looked >= lookInterval)
+            {
+                contactStep(time + t, report);      // only to watch
+                h = left/std::ceil(left/stiffest*(1 - 1e-12));
+                looked = 0;
+            }
+            now = left < 1.5*h ? left : h;
+            ++report.contactSteps;
+            ++looked;
+            sinceLook += now;
+        }
+        else if (anyContact())
         {
             if (looked >= lookInterval)
             {

@@ -153,6 +153,7 @@ private:
     void updateWalls();
     void refreshNear();
     double contactStep(double time, StepReport& report);
+    double stiffestStep(double speed) const;
     double timeToTouch(bool contact) const;
     double timeToEnd(double h) const;
     void checkRest(double elapsed, StepReport& report);

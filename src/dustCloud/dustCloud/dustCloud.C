@@ -117,7 +117,24 @@ const Foam::word& Foam::dustCloud::checkInput
         }
     }
 
+    // OpenFOAM itself aborts on an unknown force
     const dictionary& forces = subModels.subDict("particleForces");
+    for (const entry& e : forces)
+    {
+        const auto& table =
+            *ParticleForce<kinematicCloudType>::dictionaryConstructorTablePtr_;
+
+        if (!table.found(e.keyword()))
+        {
+            dustProperties::error
+            (
+                forces,
+                e.keyword(),
+                "there is no such particle force",
+                dustProperties::listed(table.sortedToc())
+            );
+        }
+    }
     if (forces.found("virtualMass"))
     {
         dustProperties::error
@@ -398,17 +415,12 @@ void Foam::dustCloud::decideCoupling()
         const word value(dict.lookupOrDefault<word>(keyword, "auto"));
         if (!allowed.found(value))
         {
-            string list;
-            for (const word& w : allowed)
-            {
-                list += (list.empty() ? "" : ", ") + w;
-            }
             dustProperties::error
             (
                 dict,
                 keyword,
                 "unknown value '" + value + "'",
-                list
+                dustProperties::listed(allowed)
             );
         }
         return value;
@@ -465,8 +477,9 @@ void Foam::dustCloud::decideCoupling()
         );
     }
 
-    // OpenFOAM's own switch, and what it wants with it
-    dictionary& solution = particleProperties_.subDict("solution");
+    // OpenFOAM's own switch, and what it wants with it. cloudSolution has no
+    // other door than its dictionary.
+    dictionary& solution = const_cast<dictionary&>(solution_.dict());
     solution.set("coupled", twoWay_ ? "true" : "false");
     if (twoWay_ && !solution.found("sourceTerms"))
     {

@@ -21,6 +21,7 @@ License
 
 #include "dustCloudData.H"
 
+#include "OStringStream.H"
 #include "InjectionModelList.H"
 #include "DispersionModel.H"
 #include "PatchInteractionModel.H"
@@ -265,12 +266,19 @@ void Foam::dustCloud::inject(dustParcel::trackingData& td)
         {
             if (injector.modelType() == "manualInjection")
             {
-                FatalErrorInFunction
-                    << "Injector " << injector.modelName()
-                    << ": the particle at " << c.x << ", diameter " << c.d
+                OStringStream reason;
+                reason
+                    << "the particle at " << c.x << ", diameter " << c.d
                     << " m, overlaps " << what.c_str() << " by " << overlap
-                    << " m. Allowed is at most 1 % of the diameter."
-                    << exit(FatalError);
+                    << " m";
+                dustProperties::error
+                (
+                    subModelProperties_.subDict("injectionModels")
+                   .subDict(injector.modelName()),
+                    "positionsFile",
+                    reason.str(),
+                    "overlaps of at most 1 % of the diameter"
+                );
             }
             ++refused_.count;
             refused_.mass += mass;

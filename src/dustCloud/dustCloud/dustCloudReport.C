@@ -141,7 +141,15 @@ void Foam::dustCloud::printMaterials() const
                 table.pairName(dust, i) + (wall ? "(wall)" : ""),
                 false
             );
-            const word normal(table.settings(dust, i).normal.model);
+            const word normal
+            (
+                table.constants(dust, i).realGamma > 0
+              ? table.settings(dust, i).normal.model
+              : "Hertz"
+            );
+            scalar overlap = 0;
+            scalar lowTabor = GREAT;
+            scalar highTabor = 0;
 
             for (const scalar diameter : {smallest, mean, largest})
             {
@@ -168,46 +176,39 @@ void Foam::dustCloud::printMaterials() const
                         f.period/d.properties.time().stepsPerContact
                     ).c_str() << nl;
 
-                if (f.impactOverlap > d.properties.limits().overlap*diameter)
-                {
-                    advice += format
-                    (
-                        "  Warning: %s, d %.3g m: an impact at %.3g m/s "
-                        "overlaps by %.2g of d, limit %.2g; chi of %.3g "
-                        "would do\n",
-                        pair.c_str(), diameter, speed,
-                        f.impactOverlap/diameter,
-                        d.properties.limits().overlap,
-                        min
-                        (
-                            scalar(1),
-                            chi*pow
-                            (
-                                f.impactOverlap/diameter
-                               /d.properties.limits().overlap,
-                                2.5
-                            )
-                        )
-                    );
-                    ++d.setUpWarnings;
-                }
+                overlap = max(overlap, f.impactOverlap/diameter);
+                lowTabor = min(lowTabor, f.tabor);
+                highTabor = max(highTabor, f.tabor);
+            }
 
-                // Where each adhesive law holds
-                const bool jkr = normal == "JKR" || normal == "simplifiedJKR";
-                if
+            const scalar overlapLimit = d.properties.limits().overlap;
+            if (overlap > overlapLimit)
+            {
+                advice += format
                 (
-                    f.pullOff > 0
-                 && ((jkr && f.tabor < 3) || (normal == "DMT" && f.tabor > 0.1))
-                )
-                {
-                    advice += format
-                    (
-                        "  Warning: %s, d %.3g m: %s with Tabor number "
-                        "%.2g; JKR holds above 3, DMT below 0.1\n",
-                        pair.c_str(), diameter, normal.c_str(), f.tabor
-                    );
-                    ++d.setUpWarnings;
-                }
+                    "  Warning: %s: an impact at %.3g m/s overlaps by %.2g of "
+                    "d, limit %.2g; a chi of %.2g would keep it\n",
+                    pair.c_str(),
+                    speed,
+                    overlap,
+                    overlapLimit,
+                    // overlaps grow as chi^(-2/5)
+                    min(scalar(1), chi*pow(overlap/overlapLimit, 2.5))
+                );
+                ++d.setUpWarnings;
+            }
+
+            // Where each adhesive law holds
+            const bool jkr = normal == "JKR" || normal == "simplifiedJKR";
+            if ((jkr && lowTabor < 3) || (normal == "DMT" && highTabor > 0.1))
+            {
+                advice += format
+                (
+                    "  Warning: %s: %s with Tabor numbers of %.2g to %.2g; "
+                    "JKR holds above 3, DMT below 0.1\n",
+                    pair.c_str(), normal.c_str(), lowTabor, highTabor
+                );
+                ++d.setUpWarnings;
             }
 
             const scalar gamma = table.constants(dust, i).realGamma;

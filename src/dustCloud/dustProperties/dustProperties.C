@@ -52,17 +52,6 @@ static void fatal
 }
 
 
-static string listed(const wordList& names)
-{
-    string text;
-    for (const word& name : names)
-    {
-        text += (text.empty() ? "" : ", ") + name;
-    }
-    return text;
-}
-
-
 //- Read one of a few words
 static word choice
 (
@@ -81,7 +70,7 @@ static word choice
             dict,
             keyword,
             "unknown value '" + value + "'",
-            listed(allowed)
+            dustProperties::listed(allowed)
         );
     }
     return value;
@@ -261,7 +250,15 @@ dem::PartSettings Foam::dustProperties::readPart
 
         for (const entry& e : partDict)
         {
-            if (e.keyword() != "model")
+            if (e.keyword() == "model")
+            {
+                continue;
+            }
+            if (e.isStream() && e.stream().size() == 1 && e.stream()[0].isWord())
+            {
+                part.words[e.keyword()] = e.stream()[0].wordToken();
+            }
+            else
             {
                 part.values[e.keyword()] = partDict.get<scalar>(e.keyword());
             }
@@ -535,6 +532,17 @@ Foam::wordList Foam::dustProperties::blocks()
 }
 
 
+Foam::string Foam::dustProperties::listed(const wordList& names)
+{
+    string text;
+    for (const word& name : names)
+    {
+        text += (text.empty() ? "" : ", ") + name;
+    }
+    return text;
+}
+
+
 void Foam::dustProperties::checkKeywords
 (
     const dictionary& dict,
@@ -590,7 +598,23 @@ void Foam::dustProperties::error
 
     for (const auto& part : stringOps::split(e.keyword, '/'))
     {
-        const entry* next = where->findEntry(part.str(), keyType::LITERAL);
+        const std::string name(part.str());
+        const entry* next = where->findEntry(name, keyType::LITERAL);
+
+        // A pair that the user did not name, or in the other order
+        const auto dot = name.find('.');
+        if (!next && dot != std::string::npos)
+        {
+            next = where->findEntry
+            (
+                name.substr(dot + 1) + '.' + name.substr(0, dot),
+                keyType::LITERAL
+            );
+            if (!next)
+            {
+                next = where->findEntry("default", keyType::LITERAL);
+            }
+        }
 
         if (!next)
         {

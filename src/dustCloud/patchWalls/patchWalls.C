@@ -218,26 +218,22 @@ dem::Walls Foam::patchWalls::New
         }
         if (!used)
         {
-            string names;
-            for (const word& name : wallNames)
-            {
-                names += (names.empty() ? "" : ", ") + name;
-            }
             dustProperties::error
             (
                 patchMaterials,
                 key,
                 "is not a patch of type wall in this mesh",
-                names
+                dustProperties::listed(wallNames)
             );
         }
     }
 
-    string materialNames;
+    wordList materials;
     for (const dem::Material& m : table.materials())
     {
-        materialNames += (materialNames.empty() ? "" : ", ") + m.name;
+        materials.append(word(m.name));
     }
+    const string materialNames(dustProperties::listed(materials));
 
     for (const word& name : wallNames)
     {

@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -82,6 +83,7 @@ struct Law
     double gamma = 0.11;                // [J/m2]
     double density = 1026;              // [kg/m3]
     dem::ReducedStiffness softening;
+    std::function<void(dem::ContactSettings&)> adjust;  // has the last word, if given
 
     bool rolls() const { return criticalAngle > 0 || adhesionHysteresis > 0; }
 
@@ -113,6 +115,7 @@ struct Law
             if (rollingDamping > 0) s.rolling.values["rollingDamping"] = rollingDamping;
         }
         if (twisting) s.twisting.model = "springDashpotSlider";
+        if (adjust) adjust(s);
         return s;
     }
 

@@ -24,6 +24,14 @@
 namespace dem
 {
 
+//- Whether these parts make a law; newComposite.hpp says why not
+template<class Normal, class Tangential, class Rolling, class Twisting>
+inline constexpr bool combines =
+    (Tangential::on || !Twisting::limitedBySliding)
+ && (Rolling::bends || !Twisting::limitedByBending)
+ && (Normal::elastic || !Rolling::elasticOnly);
+
+
 template<class Normal, class Tangential, class Rolling, class Twisting>
 class Composite : public ContactLaw
 {
@@ -39,10 +47,7 @@ class Composite : public ContactLaw
     static constexpr int hW = hR + Rolling::nHistory;
     static constexpr int nH = hW + Twisting::nHistory;
     static_assert(nC <= maxConstants && nH <= maxHistory, "raise the maxima");
-    static_assert
-    (
-        Tangential::on || !Twisting::on, "the twisting limit needs the sliding limit"
-    );
+    static_assert(combines<Normal, Tangential, Rolling, Twisting>);
 
     struct Pair
     {
@@ -178,7 +183,18 @@ class Composite : public ContactLaw
                 else return turned(spring, n, dn, twistMean);
             };
 
-            Real slidingLimit(0);
+            // What friction presses on: the pull-off force as past loads have left it
+            Real pressed = normal.elastic;
+            if constexpr (!Normal::elastic) pressed = pressed + normal.buildUp;
+
+            // A law that acts at a distance has no spot to resist with before contact
+            Real spot(1);
+            if constexpr (Normal::atDistance)
+            {
+                spot = select(normal.radius > Real(0), Real(1), Real(0));
+            }
+
+            Real twistingLimit(0);
             if constexpr (Tangential::on)
             {
                 V3<Real> xi
@@ -190,13 +206,17 @@ class Composite : public ContactLaw
                 xi = turn(xi);
                 const V3<Real> ft = Tangential::template evaluate<Real>
                 (
-                    c + cT, normal.elastic, normal.damping, normal.radius,
+                    c + cT, pressed, normal.damping, normal.radius,
                     step*slipHalf, slipV, xi
                 );
+                if constexpr (Normal::atDistance) xi = spot*xi;
                 storeReal<Real>(&list.history[hT][k], xi.x);
                 storeReal<Real>(&list.history[hT + 1][k], xi.y);
                 storeReal<Real>(&list.history[hT + 2][k], xi.z);
-                slidingLimit = Tangential::template limit<Real>(c + cT, normal.elastic);
+                if constexpr (Twisting::limitedBySliding)
+                {
+                    twistingLimit = Tangential::template limit<Real>(c + cT, pressed);
+                }
 
                 force = force + ft;
                 const V3<Real> nxf = cross(n, ft);
@@ -218,10 +238,19 @@ class Composite : public ContactLaw
                     loadReal<Real>(&list.history[hR + 2][k])
                 };
                 xi = turn(xi);
-                const V3<Real> M = Rolling::template evaluate<Real>
+                V3<Real> M = Rolling::template evaluate<Real>
                 (
-                    c + cR, normal.strength, step*rollHalf, rollV, xi
+                    c + cR, normal, step*rollHalf, rollV, xi
                 );
+                if constexpr (Normal::atDistance)
+                {
+                    xi = spot*xi;
+                    M = spot*M;
+                }
+                if constexpr (Twisting::limitedByBending)
+                {
+                    twistingLimit = Rolling::template limit<Real>(c + cR, normal);
+                }
                 storeReal<Real>(&list.history[hR][k], xi.x);
                 storeReal<Real>(&list.history[hR + 1][k], xi.y);
                 storeReal<Real>(&list.history[hR + 2][k], xi.z);
@@ -233,11 +262,16 @@ class Composite : public ContactLaw
             if constexpr (Twisting::on)
             {
                 Real xi = loadReal<Real>(&list.history[hW][k]);
-                const Real moment = Twisting::template evaluate<Real>
+                Real moment = Twisting::template evaluate<Real>
                 (
-                    c + cW, normal.damping, normal.radius, slidingLimit,
+                    c + cW, normal, twistingLimit,
                     step*dot(wRelHalf, n), dot(wRel, n), xi
                 );
+                if constexpr (Normal::atDistance)
+                {
+                    xi = spot*xi;
+                    moment = spot*moment;
+                }
                 storeReal<Real>(&list.history[hW][k], xi);
                 torqueI = torqueI + moment*n;
                 torqueJ = torqueJ - moment*n;
@@ -329,27 +363,29 @@ public:
     void prepare(int pair, const ContactScale& s, double* c) const override
     {
         const Pair& p = pairs_[std::size_t(pair)];
-        const double strength = Normal::pullOff(s.pair.resistanceGamma, s.R);
-        const double a0 = Normal::equilibriumRadius
-        (
-            s.pair.resistanceGamma, s.pair.realE*s.pair.resistanceChi, s.R
-        );
-        const double a0Soft =
-            Normal::equilibriumRadius(s.pair.gamma, s.pair.E, s.R);
+        const PairConstants limits = s.pair.limits();
+        const double strength = Normal::pullOff(p.n, limits, s.R);
+        const double a0 = Normal::equilibriumRadius(p.n, limits, s.R);
+        const double a0Soft = Normal::equilibriumRadius(p.n, s.pair, s.R);
         const ResistanceScale resistance
         {
             strength,
             Normal::slidingOffset(strength),
             a0,
             // without adhesion a grows as chi^(-1/5) at given impact
-            a0Soft > 0 ? a0/a0Soft : std::pow(s.pair.chi/s.pair.resistanceChi, 0.2)
+            a0Soft > 0 ? a0/a0Soft : std::pow(s.pair.chi/limits.chi, 0.2),
+            Normal::loadingStiffness(p.n, limits, s.R)
         };
+        // shear is softened with the law's own stiffness
+        PairConstants pairOfShear = s.pair;
+        if constexpr (!Normal::elastic) pairOfShear.G *= Normal::shearFactor(p.n);
+        const ContactScale shear{pairOfShear, s.R, s.m, s.skew};
         const double dashRatio = Normal::tangentialDampingRatio(s.pair);
 
         Normal::prepare(p.n, s, c);
         if constexpr (Tangential::on)
         {
-            Tangential::prepare(p.t, s, resistance, dashRatio, c + cT);
+            Tangential::prepare(p.t, shear, resistance, dashRatio, c + cT);
         }
         if constexpr (Rolling::on)
         {
@@ -357,30 +393,45 @@ public:
         }
         if constexpr (Twisting::on)
         {
-            Twisting::prepare(p.w, s, resistance, dashRatio, c + cW);
+            Twisting::prepare(p.w, shear, resistance, dashRatio, c + cW);
         }
     }
 
-    double pullOff(double gamma, double R) const override
+    bool elastic() const override { return Normal::elastic; }
+
+    double pullOff(int pair, const PairConstants& c, double R) const override
     {
-        return Normal::pullOff(gamma, R);
+        return Normal::pullOff(pairs_[std::size_t(pair)].n, c, R);
     }
 
-    double reach(double gamma, double E, double R) const override
+    double reach(int pair, const PairConstants& c, double R) const override
     {
-        return gamma > 0 ? Normal::reach(gamma, E, R) : 0;
+        return Normal::reach(pairs_[std::size_t(pair)].n, c, R);
     }
 
-    double equilibriumRadius(double gamma, double E, double R) const override
+    double equilibriumRadius(int pair, const PairConstants& c, double R) const override
     {
-        return Normal::equilibriumRadius(gamma, E, R);
+        return Normal::equilibriumRadius(pairs_[std::size_t(pair)].n, c, R);
+    }
+
+    Impact impact(int pair, const ContactScale& s, double speed) const override
+    {
+        if constexpr (Normal::elastic)
+        {
+            (void)pair;
+            return hertzianImpact(s.pair.E, s.R, s.m, speed);
+        }
+        else
+        {
+            return Normal::impact(pairs_[std::size_t(pair)].n, s, speed);
+        }
     }
 
     double rollingYield(const double* c) const override
     {
         if constexpr (Rolling::on)
         {
-            return c[cR]*c[cR + 1];
+            return Rolling::yield(c + cR);
         }
         else
         {
@@ -397,20 +448,20 @@ public:
         return Normal::template evaluate<double>(c, overlap, history);
     }
 
-    double touchDistance(int pair) const override
+    double touchDistance(int pair, const PairConstants& c) const override
     {
-        return Normal::touchDistance(pairs_[std::size_t(pair)].n);
+        return Normal::touchDistance(pairs_[std::size_t(pair)].n, c);
     }
 
     double period
     (
-        int pair, const ContactScale& s, const double* c, double invInertia,
-        double overlap, double speed
+        int pair, const ContactScale& s, const double* c, const double* history,
+        double invInertia, double overlap, double speed
     ) const override
     {
         const ElasticBound b = Normal::bound
         (
-            pairs_[std::size_t(pair)].n, s, overlap, speed
+            pairs_[std::size_t(pair)].n, s, overlap, speed, history
         );
         double square = s.m/b.stiffness;
         if constexpr (Tangential::on)
@@ -419,7 +470,7 @@ public:
         }
         if constexpr (Rolling::on)
         {
-            const double k = Rolling::rotationalStiffness(c + cR, overlap);
+            const double k = Rolling::rotationalStiffness(c + cR, overlap, b.buildUp);
             if (k > 0) square = std::min(square, 1/(k*invInertia));
         }
         return 2*M_PI*std::sqrt(square);

@@ -8,6 +8,7 @@
 #include "contactModels/contactModel/NormalResponse.hpp"
 #include "contacts/ContactList.hpp"
 #include "materials/ContactSettings.hpp"
+#include "timeIntegration/contactPeriod.hpp"
 #include "neighbourSearch/Periodic.hpp"
 
 #include <memory>
@@ -34,6 +35,10 @@ public:
     virtual int nHistory() const = 0;       // per contact
     virtual bool needsSpin() const = 0;
 
+    //- Whether stiffness and strength come from the pair's E and gamma: then chi softens it,
+    //  and at gamma = 0 it is Hertz
+    virtual bool elastic() const = 0;
+
     //- Read the numbers of one pair of materials; returns its index in this law.
     //  Errors: inputError
     virtual int addPair(const ContactSettings& settings) = 0;
@@ -41,10 +46,14 @@ public:
     //- Constants of one contact of that pair
     virtual void prepare(int pair, const ContactScale& s, double* constants) const = 0;
 
-    //- Pull-off force [N], longest neck [m], equilibrium radius [m]
-    virtual double pullOff(double gamma, double R) const = 0;
-    virtual double reach(double gamma, double E, double R) const = 0;
-    virtual double equilibriumRadius(double gamma, double E, double R) const = 0;
+    //- Pull-off force of a contact not loaded before [N], where it ends: at overlap
+    //  = -reach [m], equilibrium radius [m]; of the pair as given, softened or real
+    virtual double pullOff(int pair, const PairConstants& c, double R) const = 0;
+    virtual double reach(int pair, const PairConstants& c, double R) const = 0;
+    virtual double equilibriumRadius(int pair, const PairConstants& c, double R) const = 0;
+
+    //- Without adhesion and damping, at this speed [m/s]
+    virtual Impact impact(int pair, const ContactScale& s, double speed) const = 0;
 
     //- Moment at which rolling yields at A = 1 [N m]; 0 without rolling resistance
     virtual double rollingYield(const double* constants) const = 0;
@@ -56,14 +65,14 @@ public:
     ) const = 0;
 
     //- Contact begins at overlap = -touchDistance [m]: 0 but for laws that act at a distance
-    virtual double touchDistance(int pair) const = 0;
+    virtual double touchDistance(int pair, const PairConstants& c) const = 0;
 
     //- Shortest period [s] (timeIntegration/contactPeriod.hpp), at this overlap [m] and
     //  normal speed [m/s]; invInertia = 1/I_i + 1/I_j [1/(kg m2)]
     virtual double period
     (
-        int pair, const ContactScale& s, const double* constants, double invInertia,
-        double overlap, double speed
+        int pair, const ContactScale& s, const double* constants, const double* history,
+        double invInertia, double overlap, double speed
     ) const = 0;
 
     //- Add the loads of contacts [begin, end) to the bodies, times sign; springs move on by

@@ -11,6 +11,19 @@
 namespace dem
 {
 
+namespace
+{
+
+std::string listed(const std::vector<std::string>& names)
+{
+    std::string list;
+    for (const std::string& name : names) list += (list.empty() ? "" : " ") + name;
+    return list;
+}
+
+}
+
+
 double dampingRatio(double restitution)
 {
     constexpr double pi = 3.14159265358979323846;
@@ -29,29 +42,26 @@ PartInput::PartInput
     kind_(std::move(kind)),
     settings_(settings)
 {
-    for (const auto& entry : settings_.values)
+    const auto check = [&](const std::string& keyword)
     {
-        if (std::find(known.begin(), known.end(), entry.first) == known.end())
+        if (std::find(known.begin(), known.end(), keyword) == known.end())
         {
-            std::string list;
-            for (const auto& k : known)
-            {
-                list += (list.empty() ? "" : " ") + k;
-            }
             throw inputError
             (
-                kind_ + "/" + entry.first,
+                kind_ + "/" + keyword,
                 "unknown keyword of model " + settings_.model,
-                list.empty() ? "no keyword" : list
+                known.empty() ? "no keyword" : listed(known)
             );
         }
-    }
+    };
+    for (const auto& entry : settings_.values) check(entry.first);
+    for (const auto& entry : settings_.words) check(entry.first);
 }
 
 
 bool PartInput::has(const std::string& keyword) const
 {
-    return settings_.values.count(keyword) > 0;
+    return settings_.values.count(keyword) > 0 || settings_.words.count(keyword) > 0;
 }
 
 
@@ -63,10 +73,12 @@ double PartInput::get(const std::string& keyword, double low, double high) const
     const auto found = settings_.values.find(keyword);
     if (found == settings_.values.end())
     {
+        const auto word = settings_.words.find(keyword);
         throw inputError
         (
             kind_ + "/" + keyword,
-            "missing, needed by model " + settings_.model,
+            word == settings_.words.end()
+          ? "missing, needed by model " + settings_.model : "is " + word->second,
             range.str()
         );
     }
@@ -86,6 +98,30 @@ double PartInput::getOr
 ) const
 {
     return has(keyword) ? get(keyword, low, high) : otherwise;
+}
+
+
+std::string PartInput::word
+(
+    const std::string& keyword, const std::vector<std::string>& allowed
+) const
+{
+    const auto found = settings_.words.find(keyword);
+    if
+    (
+        found == settings_.words.end()
+     || std::find(allowed.begin(), allowed.end(), found->second) == allowed.end()
+    )
+    {
+        throw inputError
+        (
+            kind_ + "/" + keyword,
+            found != settings_.words.end() ? "is " + found->second
+          : has(keyword) ? "is a number" : "missing, needed by model " + settings_.model,
+            listed(allowed)
+        );
+    }
+    return found->second;
 }
 
 

@@ -34,6 +34,9 @@ public:
         const std::string& keyword, double low, double high, double otherwise
     ) const;
 
+    //- One of these words. Errors: inputError where missing or another
+    std::string word(const std::string& keyword, const std::vector<std::string>& allowed) const;
+
     //- beta of the dashpot, from `restitution` in (0, 1] or `dampingCoefficient` alpha
     //  (beta = alpha/sqrt(5)); exactly one of the two must be given.
     double dampingRatio() const;

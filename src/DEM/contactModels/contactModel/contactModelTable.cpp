@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The one table of contact laws. To add a normal law: write normal/<law>.hpp, instantiate
-// it in normal/<law>.cpp, add a row to normalTable() below and a test.
+// it in normal/<law>.cpp, add a row to normalTable() below and a test. Other parts: see
+// newComposite.hpp.
 #include "contactModels/contactModel/contactModelTable.hpp"
 
 #include "contactModels/contactModel/ContactLaw.hpp"
@@ -9,11 +10,18 @@
 #include "contactModels/normal/DMT.hpp"
 #include "contactModels/normal/Hertz.hpp"
 #include "contactModels/normal/JKR.hpp"
+#include "contactModels/normal/cohesivePlastic.hpp"
 #include "contactModels/normal/simplifiedJKR.hpp"
+#include "contactModels/normal/vanDerWaals.hpp"
+#include "contactModels/rolling/bending.hpp"
 #include "contactModels/rolling/springSlider.hpp"
 #include "contactModels/tangential/springDashpotSlider.hpp"
+#include "contactModels/twisting/cappedSpring.hpp"
 #include "contactModels/twisting/springDashpotSlider.hpp"
 #include "particles/errors.hpp"
+
+#include <algorithm>
+#include <iterator>
 
 namespace dem
 {
@@ -44,7 +52,9 @@ const std::vector<NormalRow>& normalTable()
         row<normal::Hertz>(),
         row<normal::simplifiedJKR>(),
         row<normal::JKR>(),
-        row<normal::DMT>()
+        row<normal::DMT>(),
+        row<normal::vanDerWaals>(),
+        row<normal::cohesivePlastic>()
     };
     return table;
 }
@@ -55,20 +65,25 @@ PartEntry entry(const char* kind)
     return {kind, Part::model, Part::keywords()};
 }
 
-void checkModel(const char* kind, const std::string& model)
+//- Model and keywords of one part; what its keywords may say, the part itself checks
+void checkPart(const char* kind, const PartSettings& part)
 {
     std::string list;
     for (const PartEntry& e : contactModelTable())
     {
         if (e.kind == kind)
         {
-            if (e.model == model) return;
+            if (e.model == part.model)
+            {
+                PartInput(kind, part, e.keywords);
+                return;
+            }
             list += (list.empty() ? "" : " ") + e.model;
         }
     }
     throw inputError
     (
-        std::string(kind) + "/model", "unknown model " + model, list
+        std::string(kind) + "/model", "unknown model " + part.model, list
     );
 }
 
@@ -88,30 +103,37 @@ const std::vector<PartEntry>& contactModelTable()
         t.push_back(entry<tangential::springDashpotSlider>("tangential"));
         t.push_back(entry<none>("rolling"));
         t.push_back(entry<rolling::springSlider>("rolling"));
+        t.push_back(entry<rolling::bending>("rolling"));
         t.push_back(entry<none>("twisting"));
         t.push_back(entry<twisting::springDashpotSlider>("twisting"));
+        t.push_back(entry<twisting::cappedSpring>("twisting"));
         return t;
     }();
     return table;
 }
 
 
+ContactSettings withoutAdhesion(ContactSettings s)
+{
+    s.normal.model = normal::Hertz::model;
+    const std::vector<std::string> known = normal::Hertz::keywords();
+    for (auto v = s.normal.values.begin(); v != s.normal.values.end();)
+    {
+        const bool kept = std::find(known.begin(), known.end(), v->first) != known.end();
+        v = kept ? std::next(v) : s.normal.values.erase(v);
+    }
+    s.rolling = PartSettings();
+    if (s.twisting.model == twisting::cappedSpring::model) s.twisting = PartSettings();
+    return s;
+}
+
+
 std::unique_ptr<ContactLaw> newContactLaw(const ContactSettings& s)
 {
-    checkModel("normal", s.normal.model);
-    checkModel("tangential", s.tangential.model);
-    checkModel("rolling", s.rolling.model);
-    checkModel("twisting", s.twisting.model);
-
-    if (s.twisting.model != none::model && s.tangential.model == none::model)
-    {
-        throw inputError
-        (
-            "twisting/model",
-            s.twisting.model + " without a tangential model, whose limit it needs",
-            "none, or tangential { model springDashpotSlider; ... }"
-        );
-    }
+    checkPart("normal", s.normal);
+    checkPart("tangential", s.tangential);
+    checkPart("rolling", s.rolling);
+    checkPart("twisting", s.twisting);
 
     for (const NormalRow& r : normalTable())
     {

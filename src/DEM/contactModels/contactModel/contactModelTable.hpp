@@ -4,6 +4,8 @@
 // needs to refuse unknown words with the list of known ones.
 #pragma once
 
+#include "materials/ContactSettings.hpp"
+
 #include <string>
 #include <vector>
 
@@ -19,5 +21,8 @@ struct PartEntry
 
 //- Every part that can be chosen
 const std::vector<PartEntry>& contactModelTable();
+
+//- What is left of an elastic law at zero surface energy: Hertz, and nothing resists rolling
+ContactSettings withoutAdhesion(ContactSettings settings);
 
 }

@@ -17,6 +17,7 @@
 #pragma once
 
 #include "contactModels/contactModel/ContactScale.hpp"
+#include "contactModels/contactModel/NormalResponse.hpp"
 #include "contactModels/contactModel/PartInput.hpp"
 #include "contactModels/contactModel/Real.hpp"
 #include "particles/errors.hpp"
@@ -32,6 +33,8 @@ struct springSlider
 {
     static constexpr const char* model = "springSlider";
     static constexpr bool on = true;
+    static constexpr bool elasticOnly = true;   // it is a property of the elastic neck
+    static constexpr bool bends = false;
     static constexpr int nConstants = 6;
     static constexpr int nHistory = 3;
 
@@ -94,19 +97,22 @@ struct springSlider
     }
 
     //- 4 F_C R (a/a0)^(3/2) [N m/rad], a^2 = a0^2 + R delta
-    static double rotationalStiffness(const double* c, double overlap)
+    static double rotationalStiffness(const double* c, double overlap, double)
     {
         const double growth =
             c[3] > 0 ? 1 + std::max(overlap, 0.0)*c[5]/(c[3]*c[3]) : 1;
         return c[0]*c[5]*std::pow(growth, 0.75);
     }
 
+    //- 4 F_C xi_crit [N m]
+    static double yield(const double* c) { return c[0]*c[1]; }
+
     //- The vector M with torque on i = -n x M [N m]
     template<class Real>
     [[gnu::always_inline]] static V3<Real> evaluate
     (
         const Real* c,
-        const Real& strength,
+        const NormalResponse<Real>& normal,
         const V3<Real>& roll,           // moved on this step [m]
         const V3<Real>& rollVelocity,
         V3<Real>& xi
@@ -120,7 +126,7 @@ struct springSlider
             const Real size = squareRoot(maximum(square, Real(1e-290)));
             xi = select(rolls, c[1]/size, Real(1))*xi;
         }
-        return (c[0]*strength)*xi + c[2]*rollVelocity;
+        return (c[0]*normal.strength)*xi + c[2]*rollVelocity;
     }
 };
 

@@ -13,6 +13,7 @@
 #pragma once
 
 #include "contactModels/contactModel/ContactScale.hpp"
+#include "contactModels/contactModel/NormalResponse.hpp"
 #include "contactModels/contactModel/PartInput.hpp"
 #include "contactModels/contactModel/Real.hpp"
 
@@ -25,6 +26,8 @@ struct springDashpotSlider
 {
     static constexpr const char* model = "springDashpotSlider";
     static constexpr bool on = true;
+    static constexpr bool limitedBySliding = true;
+    static constexpr bool limitedByBending = false;
     static constexpr int nConstants = 3;
     static constexpr int nHistory = 1;
 
@@ -52,17 +55,17 @@ struct springDashpotSlider
     [[gnu::always_inline]] static Real evaluate
     (
         const Real* c,
-        const Real& damping,
-        const Real& radius,
-        const Real& slidingLimit,
+        const NormalResponse<Real>& normal,
+        const Real& slidingLimit,       // F_S,crit [N]
         const Real& twist,              // moved on this step [rad]
         const Real& twistRate,
         Real& xi
     )
     {
+        const Real radius = normal.radius;
         const Real a2 = radius*radius;
         const Real k = c[0]*radius*a2;
-        const Real dash = c[1]*damping*a2*twistRate;
+        const Real dash = c[1]*normal.damping*a2*twistRate;
         xi = xi + twist;
         const Real trial = k*xi + dash;
         const Real cap = c[2]*radius*slidingLimit;

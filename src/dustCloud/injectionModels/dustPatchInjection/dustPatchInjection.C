@@ -150,12 +150,12 @@ Foam::dustPatchInjection::dustPatchInjection
 
     if (patchID_ < 0)
     {
-        string names;
+        wordList names;
         for (const polyPatch& pp : owner.mesh().boundaryMesh())
         {
             if (!pp.coupled())
             {
-                names += (names.empty() ? "" : ", ") + pp.name();
+                names.append(pp.name());
             }
         }
         dustProperties::error
@@ -163,7 +163,7 @@ Foam::dustPatchInjection::dustPatchInjection
             dict,
             "patch",
             "there is no patch '" + patchName_ + "'",
-            names
+            dustProperties::listed(names)
         );
     }
     if (parcelsPerSecond_ <= 0)

@@ -1,0 +1,1000 @@
+/*---------------------------------------------------------------------------*\
+    dustFoam: adhesive dust in ventilation ducts
+-------------------------------------------------------------------------------
+License
+    This file is part of dustFoam.
+
+    dustFoam is free software: you can redistribute it and/or modify it under
+    the terms of the GNU General Public License as published by the Free
+    Software Foundation, either version 3 of the License, or (at your option)
+    any later version.
+
+    dustFoam is distributed in the hope that it will be useful, but WITHOUT ANY
+    WARRANTY; without even the implied warranty of MERCHANTABILITY or FITNESS
+    FOR A PARTICULAR PURPOSE.  See the GNU General Public License for more
+    details.
+
+    You should have received a copy of the GNU General Public License along
+    with dustFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+Application
+    contactProbe
+
+Description
+    What will a pair of materials do? Collides two spheres, or a sphere and a
+    flat wall, for lists of speeds, angles and stiffness ratios chi, with the
+    contact laws of constant/dustProperties and the motion that dustFoam uses.
+
+    Prints for every pair a table of forces, lengths and times, how many contact
+    steps are needed, and how soft the material may be made. Writes
+
+    \verbatim
+    pair,chi,velocity_mps,angle_deg,restitution,contactTime_s,maxOverlap_m,outcome
+    \endverbatim
+
+    restitution is that of the normal velocity, 0 where the contact holds;
+    contactTime_s of a contact that holds is the time for which it was watched;
+    outcome is rebound, stick, roll or slide (see contactPair.H).
+
+Usage
+    \b contactProbe [OPTIONS]
+
+      - \par -csv \<file\>
+        The table's file; default postProcessing/contactProbe/0/contactProbe.csv.
+        The files below go next to it, with its name as the first part of theirs
+
+      - \par -sticking
+        Fastest normal impact that sticks, by bisection: _sticking.csv, with
+        lambda = E/(rho v^2), Ad = 3 gamma/(rho v^2 r) on a wall, else
+        gamma/(rho v^2 R), all as softened, and lambda/Ad^(5/2)
+
+      - \par -curve
+        A slow load cycle and the resistance to sliding, rolling and twisting
+        at the equilibrium overlap: _forceOverlap.csv, _sliding.csv,
+        _rolling.csv, _twisting.csv
+
+      - \par -history
+        Every collision in time: _history.csv
+
+    Needs constant/dustProperties (of which it reads all blocks but solution,
+    constantProperties, subModels) and system/contactProbeDict (see
+    probeSettings.H); no mesh.
+
+\*---------------------------------------------------------------------------*/
+
+#include "contactPair.H"
+#include "heldContact.H"
+#include "probeSettings.H"
+
+#include "argList.H"
+#include "IOdictionary.H"
+#include "IOmanip.H"
+#include "mathematicalConstants.H"
+#include "OFstream.H"
+#include "OSspecific.H"
+#include "Time.H"
+#include "unitConversion.H"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+using namespace Foam;
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+// Error of the restitution that the advice on contact steps allows
+constexpr scalar restitutionError = 0.002;
+
+// Collisions that are printed, and not only written
+constexpr label mostPrinted = 40;
+
+
+//- All that belongs to one pair: the pair at every chi, and at chi = 1
+struct pairSeries
+{
+    probeSettings::pair pair;
+    std::vector<contactPair> soft;
+    std::vector<contactPair> real;      // one entry
+};
+
+
+class csvFile
+{
+    OFstream os_;
+
+public:
+
+    csvFile(const fileName& name, const char* header)
+    :
+        os_(name)
+    {
+        if (!os_.good())
+        {
+            FatalErrorInFunction
+                << "Cannot write " << name << exit(FatalError);
+        }
+        os_.precision(9);
+        os_ << header << nl;
+    }
+
+    template<class Type>
+    csvFile& operator<<(const Type& value)
+    {
+        os_ << value;
+        return *this;
+    }
+};
+
+
+//- `base` of FILE as base.csv
+fileName beside(const fileName& csv, const char* what)
+{
+    return csv.lessExt() + "_" + what + ".csv";
+}
+
+
+scalar fastest(const probeSettings& settings)
+{
+    return *std::max_element
+    (
+        settings.velocities().begin(), settings.velocities().end()
+    );
+}
+
+
+// * * * * * * * * * * * * * * * * The Table * * * * * * * * * * * * * * * * //
+
+void printRow
+(
+    const char* name,
+    const char* unit,
+    const std::vector<contactPair>& soft,
+    const std::function<scalar(const contactPair&)>& value
+)
+{
+    Info<< "    " << setf(ios_base::left, ios_base::adjustfield) << setw(31) << name << setw(8) << unit
+        << setf(ios_base::right, ios_base::adjustfield);
+    for (const contactPair& p : soft)
+    {
+        Info<< ' ' << setw(11) << value(p);
+    }
+    Info<< nl;
+}
+
+
+//- The law that the Tabor number asks for, and a warning where it is another
+void printValidity(const contactPair& p)
+{
+    const scalar lambda = p.figures(0).tabor;
+    const word law(p.settings().normal.model);
+
+    if (!(p.constants().realGamma > 0))
+    {
+        Info<< "    No adhesion: Hertz" << nl;
+        return;
+    }
+
+    Info<< "    Tabor number lambda_T = " << lambda << ": "
+        << (
+               lambda > 3 ? "JKR (above 3)"
+             : lambda < 0.1 ? "DMT (below 0.1)"
+             : "between JKR (above 3) and DMT (below 0.1)"
+           )
+        << nl;
+
+    const bool jkr = law == "JKR" || law == "simplifiedJKR";
+    if ((jkr && lambda < 3) || (law == "DMT" && lambda > 0.1))
+    {
+        Info<< "    WARNING: normal model " << law << " is outside its validity ("
+            << (jkr ? "lambda_T above 3)" : "lambda_T below 0.1)") << nl;
+    }
+    if (law == "simplifiedJKR")
+    {
+        Info<< "    simplifiedJKR has no neck: it holds (8/9) F_C at most" << nl;
+    }
+}
+
+
+//- Error of the restitution over the number of contact steps
+void printSteps(const contactPair& p, const scalarList& velocities)
+{
+    // Slowest, middle and fastest of those that rebound tell enough
+    scalarList v(velocities);
+    std::sort(v.begin(), v.end());
+    if (v.size() > 3)
+    {
+        v = scalarList({v.first(), v[v.size()/2], v.last()});
+    }
+
+    const auto withSteps = [&](const scalar steps)
+    {
+        dem::TimeSettings time(p.time());
+        time.stepsPerContact = steps;
+        return contactPair
+        (
+            p.table(), time, p.pair(), 2*p.radius(),
+            p.partnerRadius() > 0 ? 2*p.partnerRadius() : 2*p.radius()
+        );
+    };
+
+    scalarList exact(v.size());
+    const contactPair fine(withSteps(2000));
+    forAll(v, k)
+    {
+        exact[k] = fine.collide(v[k]).restitution;
+    }
+
+    const auto error = [&](const scalar steps)
+    {
+        const contactPair coarse(withSteps(steps));
+        scalar worst = 0;
+        forAll(v, k)
+        {
+            worst = std::max
+            (
+                worst,
+                std::fabs(coarse.collide(v[k]).restitution - exact[k])
+            );
+        }
+        return worst;
+    };
+
+    Info<< "    Error of the restitution over contact steps:";
+    scalar suggested = 0;
+    for (const scalar steps : {25, 34, 50, 100, 200, 400})
+    {
+        const scalar e = error(steps);
+        Info<< (steps > 25 ? ", " : " ") << steps << ": " << e;
+        if (!suggested && e <= restitutionError)
+        {
+            suggested = steps;
+        }
+    }
+    Info<< nl << "    Suggested stepsPerContact: ";
+    if (suggested)
+    {
+        Info<< suggested << " (error below " << restitutionError << ")";
+    }
+    else
+    {
+        Info<< "400 or more (some impact is close to the sticking speed)";
+    }
+    Info<< "; in dustProperties: " << p.time().stepsPerContact << nl;
+}
+
+
+//- Softest chi that the limits allow
+scalar advisedRatio
+(
+    const contactPair& real,
+    const probeSettings& settings,
+    const dustProperties::limitSettings& limits,
+    const bool print
+)
+{
+    const dem::ContactFigures f = real.figures(0);
+    struct limit { const char* name; scalar chi; };
+    std::vector<limit> all;
+
+    if (settings.slipVelocity() > 0 && f.realPullOff > 0)
+    {
+        // the law's own pull-off force, put as that of JKR
+        const scalar gamma =
+            f.realPullOff/(3*constant::mathematical::pi*f.R);
+        all.push_back
+        ({
+            "pullOffOverForce",
+            dem::softestRatioForMargin
+            (
+                gamma, settings.gasViscosity(), settings.slipVelocity(),
+                limits.pullOffOverForce, real.pair().wall
+            )
+        });
+
+        const scalar margin =
+            2*gamma/(8*settings.gasViscosity()*settings.slipVelocity())
+           *(real.pair().wall ? 2 : 1);
+        if (print)
+        {
+            Info<< "    Pull-off force over drag at " << settings.slipVelocity()
+                << " m/s and " << settings.gasViscosity() << " Pa s: " << margin
+                << " unsoftened, at any diameter; the limit is "
+                << limits.pullOffOverForce << nl;
+            if (margin < limits.pullOffOverForce)
+            {
+                Info<< "    WARNING: even the unsoftened contact has not that "
+                    << "margin: the drag tells on what sticks" << nl;
+            }
+        }
+    }
+
+    const scalar overlap =
+        real.collide(fastest(settings)).maxOverlap/(2*real.smallerRadius());
+    all.push_back
+    ({
+        "overlap",
+        std::min(scalar(1), std::pow(overlap/limits.overlap, 2.5))
+    });
+    if (print && overlap > limits.overlap)
+    {
+        Info<< "    WARNING: even unsoftened the overlap at "
+            << fastest(settings) << " m/s is " << overlap
+            << " of the diameter, above the limit " << limits.overlap << nl;
+    }
+
+    all.push_back({"ratio", std::min(scalar(1), limits.ratio)});
+
+    const auto binding = std::max_element
+    (
+        all.begin(), all.end(),
+        [](const limit& a, const limit& b) { return a.chi < b.chi; }
+    );
+
+    if (print)
+    {
+        Info<< "    Softest chi by limit:";
+        for (const limit& l : all)
+        {
+            Info<< ' ' << l.name << ' ' << l.chi << (&l == &all.back() ? "" : ",");
+        }
+        Info<< nl << "    Suggested chi: " << binding->chi << " (" << binding->name
+            << " binds)";
+        if (!(settings.slipVelocity() > 0))
+        {
+            Info<< "; without slipVelocity and gasViscosity the limit"
+                << " pullOffOverForce is not looked at";
+        }
+        Info<< nl;
+    }
+    return binding->chi;
+}
+
+
+void printTable
+(
+    const pairSeries& series,
+    const probeSettings& settings,
+    const dustProperties::limitSettings& limits
+)
+{
+    const contactPair& real = series.real.front();
+    const dem::ContactSettings& s = real.settings();
+    const scalar v = fastest(settings);
+    const std::vector<contactPair>& soft = series.soft;
+
+    Info<< nl << series.pair.name << ": ";
+    if (series.pair.wall)
+    {
+        Info<< "sphere of " << 2*real.radius() << " m on a flat wall";
+    }
+    else
+    {
+        Info<< "spheres of " << 2*real.radius() << " and "
+            << 2*real.partnerRadius() << " m";
+    }
+    Info<< ", " << word(s.normal.model) << " + " << word(s.tangential.model)
+        << " + " << word(s.rolling.model) << " + " << word(s.twisting.model) << nl;
+
+    printRow
+    (
+        "stiffness ratio chi", "", soft,
+        [](const contactPair& p) { return p.constants().chi; }
+    );
+    printRow
+    (
+        "effective modulus E", "Pa", soft,
+        [](const contactPair& p) { return p.constants().E; }
+    );
+    printRow
+    (
+        "surface energy gamma", "J/m2", soft,
+        [](const contactPair& p) { return p.constants().gamma; }
+    );
+    printRow
+    (
+        "work of adhesion W = 2 gamma", "J/m2", soft,
+        [](const contactPair& p) { return 2*p.constants().gamma; }
+    );
+    printRow
+    (
+        "pull-off force F_C", "N", soft,
+        [](const contactPair& p) { return p.figures(0).pullOff; }
+    );
+    printRow
+    (
+        "contact radius a0", "m", soft,
+        [](const contactPair& p) { return p.figures(0).a0; }
+    );
+    printRow
+    (
+        "overlap delta_0", "m", soft,
+        [](const contactPair& p) { return p.figures(0).delta0; }
+    );
+    printRow
+    (
+        "neck delta_C", "m", soft,
+        [](const contactPair& p) { return p.figures(0).deltaC; }
+    );
+    if (s.tangential.model != "none")
+    {
+        printRow
+        (
+            "sliding yields at force", "N", soft,
+            [&](const contactPair& p)
+            {
+                return heldContact(p, v).limit(heldContact::SLIDING).limit;
+            }
+        );
+    }
+    if (s.rolling.model != "none")
+    {
+        printRow
+        (
+            "rolling yields at moment", "N m", soft,
+            [&](const contactPair& p)
+            {
+                return heldContact(p, v).limit(heldContact::ROLLING).limit;
+            }
+        );
+        printRow
+        (
+            series.pair.wall
+          ? "  = force on the sphere" : "  = force on each sphere",
+            "N", soft,
+            [&](const contactPair& p)
+            {
+                return
+                    heldContact(p, v).limit(heldContact::ROLLING).limit
+                   /p.radius();
+            }
+        );
+    }
+
+    Info<< "    at " << v << " m/s, normal:" << nl;
+    printRow
+    (
+        "contact time", "s", soft,
+        [&](const contactPair& p)
+        {
+            const auto c = p.collide(v);
+            // of a held contact: one period
+            return
+                c.outcome == contactPair::REBOUND
+              ? c.contactTime : p.figures(v).period;
+        }
+    );
+    printRow
+    (
+        "contact step", "s", soft,
+        [&](const contactPair& p)
+        {
+            return p.figures(v).period/p.time().stepsPerContact;
+        }
+    );
+    printRow
+    (
+        "overlap/d", "-", soft,
+        [&](const contactPair& p)
+        {
+            return p.collide(v).maxOverlap/(2*p.smallerRadius());
+        }
+    );
+
+    printValidity(real);
+    printSteps(soft.front(), settings.velocities());
+    advisedRatio(real, settings, limits, true);
+}
+
+
+// * * * * * * * * * * * * * * * * The Files * * * * * * * * * * * * * * * * //
+
+void writeCollisions
+(
+    const std::vector<pairSeries>& all,
+    const probeSettings& settings,
+    const fileName& csv,
+    const bool withHistory
+)
+{
+    csvFile table
+    (
+        csv,
+        "pair,chi,velocity_mps,angle_deg,restitution,contactTime_s,"
+        "maxOverlap_m,outcome"
+    );
+    autoPtr<csvFile> histories;
+    if (withHistory)
+    {
+        histories.reset
+        (
+            new csvFile
+            (
+                beside(csv, "history"),
+                "pair,chi,velocity_mps,angle_deg,time_s,overlap_m,"
+                "closingSpeed_mps,normalForce_N,slip_m,roll_m"
+            )
+        );
+    }
+
+    const label total =
+        all.size()*all.front().soft.size()
+       *settings.velocities().size()*settings.angles().size();
+    const bool print = total <= mostPrinted;
+
+    Info<< nl << total << " collisions";
+    if (print)
+    {
+        Info<< ":" << nl << "    "
+            << setf(ios_base::left, ios_base::adjustfield) << setw(20) << "pair" << setf(ios_base::right, ios_base::adjustfield)
+            << setw(9) << "chi" << setw(11) << "m/s" << setw(8) << "degree"
+            << setw(13) << "restitution" << setw(14) << "time [s]"
+            << setw(14) << "overlap [m]" << "  outcome" << nl;
+    }
+
+    FixedList<label, 4> count(Zero);
+    std::vector<contactPair::moment> history;
+
+    for (const pairSeries& series : all)
+    {
+        for (const contactPair& p : series.soft)
+        {
+            const scalar chi = p.constants().chi;
+            for (const scalar v : settings.velocities())
+            {
+                for (const scalar angle : settings.angles())
+                {
+                    history.clear();
+                    const contactPair::collision c = p.collide
+                    (
+                        v,
+                        degToRad(angle),
+                        settings.tangentialForce(),
+                        settings.duration(),
+                        withHistory ? &history : nullptr
+                    );
+                    const word outcome(contactPair::outcomeNames[c.outcome]);
+                    ++count[c.outcome];
+
+                    table
+                        << series.pair.name << ',' << chi << ',' << v << ','
+                        << angle << ',' << c.restitution << ',' << c.contactTime
+                        << ',' << c.maxOverlap << ',' << outcome << nl;
+
+                    if (print)
+                    {
+                        Info<< "    " << setf(ios_base::left, ios_base::adjustfield) << setw(20)
+                            << series.pair.name << setf(ios_base::right, ios_base::adjustfield)
+                            << setw(9) << chi << setw(11) << v << setw(8) << angle
+                            << setw(13) << c.restitution
+                            << setw(14) << c.contactTime
+                            << setw(14) << c.maxOverlap
+                            << "  " << outcome << nl;
+                    }
+                    for (const contactPair::moment& m : history)
+                    {
+                        *histories
+                            << series.pair.name << ',' << chi << ',' << v << ','
+                            << angle << ',' << m.time << ',' << m.overlap << ','
+                            << m.closingSpeed << ',' << m.normalForce << ','
+                            << m.slip << ',' << m.roll << nl;
+                    }
+                }
+            }
+        }
+    }
+
+    Info<< (print ? "    " : ": ");
+    for (const auto o :
+        {
+            contactPair::REBOUND, contactPair::STICK,
+            contactPair::ROLL, contactPair::SLIDE
+        })
+    {
+        Info<< count[o] << ' ' << contactPair::outcomeNames[o]
+            << (o == contactPair::SLIDE ? "" : ", ");
+    }
+    Info<< nl << "    written to " << csv << nl;
+}
+
+
+void writeSticking
+(
+    const std::vector<pairSeries>& all,
+    const fileName& csv
+)
+{
+    const fileName name(beside(csv, "sticking"));
+    csvFile table(name, "pair,chi,stickingSpeed_mps,lambda,Ad,lambdaOverAd52");
+
+    Info<< nl << "Sticking speed, normal impact:" << nl;
+    for (const pairSeries& series : all)
+    {
+        for (const contactPair& p : series.soft)
+        {
+            const scalar v = p.stickingSpeed();
+            const dem::PairConstants& c = p.constants();
+
+            Info<< "    " << setf(ios_base::left, ios_base::adjustfield) << setw(20) << series.pair.name
+                << "chi " << setw(9) << c.chi << setf(ios_base::right, ios_base::adjustfield);
+            if (v == 0)
+            {
+                Info<< "never sticks" << nl;
+                table << series.pair.name << ',' << c.chi << ",0,inf,inf,nan" << nl;
+                continue;
+            }
+            if (v < 0)
+            {
+                Info<< "always sticks" << nl;
+                table << series.pair.name << ',' << c.chi << ",inf,0,0,nan" << nl;
+                continue;
+            }
+
+            const scalar rho =
+                p.table().materials()[std::size_t(p.pair().i)].density;
+            const scalar lambda = c.E/(rho*v*v);
+            const scalar Ad =
+                p.pair().wall
+              ? 3*c.gamma/(rho*v*v*p.radius())
+              : c.gamma/(rho*v*v*p.figures(0).R);
+            const scalar factor = lambda/std::pow(Ad, 2.5);
+
+            Info<< setw(11) << v << " m/s, lambda " << lambda << ", Ad " << Ad
+                << ", lambda/Ad^(5/2) " << factor << nl;
+            table
+                << series.pair.name << ',' << c.chi << ',' << v << ','
+                << lambda << ',' << Ad << ',' << factor << nl;
+        }
+    }
+    Info<< "    (lambda = E/(rho v^2); Ad = 3 gamma/(rho v^2 r) on a wall,"
+        << " gamma/(rho v^2 R) for two spheres)" << nl
+        << "    written to " << name << nl;
+}
+
+
+//- The slow load cycle: on from turning point to turning point
+void writeForceOverlap
+(
+    const std::vector<pairSeries>& all,
+    const probeSettings& settings,
+    const fileName& csv
+)
+{
+    const fileName name(beside(csv, "forceOverlap"));
+    csvFile table(name, "pair,chi,branch,overlap_m,force_N");
+
+    for (const pairSeries& series : all)
+    {
+        for (const contactPair& p : series.soft)
+        {
+            heldContact contact(p, fastest(settings));
+            const scalar touch = p.touchGap();
+            const scalar neck = std::max(p.figures(0).deltaC, touch);
+
+            scalarList turns(settings.curveOverlaps());
+            if (turns.empty())
+            {
+                turns = scalarList(1, p.collide(fastest(settings)).maxOverlap);
+            }
+            // out to the end at last
+            turns.append(-1.05*neck);
+
+            bool touching;
+            scalar now = -touch;
+            scalar before = 0;
+            label branch = 0;
+            const auto write = [&](const scalar overlap, const scalar force)
+            {
+                table
+                    << series.pair.name << ',' << p.constants().chi << ','
+                    << branch << ',' << overlap << ',' << force << nl;
+                before = overlap;
+            };
+            write(now, 0);
+            for (const scalar to : turns)
+            {
+                const label n = settings.curvePoints();
+                for (label k = (branch ? 1 : 0); k <= n; ++k)
+                {
+                    // denser towards the turning point where the contact
+                    // opens, as the neck's end is steep
+                    const scalar s = scalar(k)/n;
+                    const scalar overlap = std::max
+                    (
+                        now + (to - now)*(to < now ? s*(2 - s) : s),
+                        branch || touch > 0 ? -1e300 : 1e-12*p.radius()
+                    );
+                    const scalar force = contact.press(overlap, touching);
+                    if (!touching)
+                    {
+                        // the jump to nothing
+                        write(before, 0);
+                        break;
+                    }
+                    write(overlap, force);
+                }
+                now = to;
+                ++branch;
+                if (!touching) break;
+            }
+        }
+    }
+    Info<< "    written to " << name << nl;
+}
+
+
+void writeResistance
+(
+    const std::vector<pairSeries>& all,
+    const probeSettings& settings,
+    const heldContact::motionType motion,
+    const fileName& csv
+)
+{
+    const word& what = heldContact::motionNames[motion];
+    const fileName name(beside(csv, what.c_str()));
+    autoPtr<csvFile> table;
+
+    for (const pairSeries& series : all)
+    {
+        for (const contactPair& p : series.soft)
+        {
+            heldContact contact(p, fastest(settings));
+            const heldContact::resistance r = contact.limit(motion);
+            if (!(r.stiffness > 0))
+            {
+                continue;
+            }
+            if (!table.valid())
+            {
+                table.reset
+                (
+                    new csvFile
+                    (
+                        name,
+                        motion == heldContact::SLIDING
+                      ? "pair,chi,displacement_m,force_N"
+                      : motion == heldContact::ROLLING
+                      ? "pair,chi,displacement_m,moment_Nm"
+                      : "pair,chi,angle_rad,moment_Nm"
+                    )
+                );
+            }
+
+            const auto curve = contact.cycle
+            (
+                motion,
+                r.limit > 0 ? 2.5*r.displacement : 0.01*p.radius(),
+                settings.curvePoints()
+            );
+            for (const heldContact::point& x : curve)
+            {
+                *table
+                    << series.pair.name << ',' << p.constants().chi << ','
+                    << x.displacement << ',' << x.load << nl;
+            }
+        }
+    }
+    if (table.valid())
+    {
+        Info<< "    written to " << name << nl;
+    }
+}
+
+} // End namespace
+
+
+// * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
+
+int main(int argc, char *argv[])
+{
+    argList::addNote
+    (
+        "What will a pair of materials do? Collides two spheres, or a sphere and"
+        " a flat wall, with the contact laws of constant/dustProperties and the"
+        " motion of dustFoam.\n\n"
+        "Reads constant/dustProperties and system/contactProbeDict, e.g.\n"
+        "    pairs      ( dust.steel dust.dust );  // a wall's material: flat wall\n"
+        "    diameter   1.27e-6;                   // m\n"
+        "    velocities ( 3 5 );                   // m/s\n"
+        "    angles     ( 0 30 );                  // degrees from the normal\n"
+        "    chi        ( 1 0.1 );                 // stiffness ratios\n"
+        "    slipVelocity 1; gasViscosity 1.8e-5;  // for advice on chi\n"
+        "(all keywords: probeSettings.H). Prints a table of forces, lengths,"
+        " times, contact steps and the softest chi that the limits allow; writes"
+        " restitution, contact time, overlap and outcome (rebound, stick, roll,"
+        " slide) as CSV."
+    );
+    argList::noParallel();
+    argList::noFunctionObjects();
+    argList::addOption
+    (
+        "csv",
+        "file",
+        "Write the collisions to this file"
+        " (default: postProcessing/contactProbe/0/contactProbe.csv)"
+    );
+    argList::addBoolOption
+    (
+        "sticking",
+        "Find the fastest normal impact that sticks (<csv>_sticking.csv)"
+    );
+    argList::addBoolOption
+    (
+        "curve",
+        "Write force over overlap and resistance over displacement"
+        " (<csv>_forceOverlap.csv, _sliding, _rolling, _twisting)"
+    );
+    argList::addBoolOption
+    (
+        "history",
+        "Write every collision in time (<csv>_history.csv)"
+    );
+
+    argList args(argc, argv);
+    if (!args.checkRootCase())
+    {
+        FatalError.exit();
+    }
+
+    // Neither a mesh nor a controlDict is needed
+    Time runTime
+    (
+        args.rootPath(), args.caseName(), "system", "constant", false, false
+    );
+
+    const IOdictionary properties
+    (
+        IOobject
+        (
+            "dustProperties",
+            runTime.constant(),
+            runTime,
+            IOobject::MUST_READ,
+            IOobject::NO_WRITE,
+            false
+        )
+    );
+    wordList known(dustProperties::blocks());
+    known.append
+    (
+        wordList
+        ({
+            "FoamFile", "coupling", "gas", "couplingMassLoading",
+            "progressInterval", "solution", "constantProperties", "subModels",
+            "cloudFunctions"
+        })
+    );
+    dustProperties::checkKeywords(properties, known);
+    dustProperties dust(properties);
+
+    const IOdictionary probeDict
+    (
+        IOobject
+        (
+            "contactProbeDict",
+            runTime.system(),
+            runTime,
+            IOobject::MUST_READ,
+            IOobject::NO_WRITE,
+            false
+        )
+    );
+    const probeSettings settings
+    (
+        probeDict, properties.subOrEmptyDict("patchMaterials"), dust.materials()
+    );
+
+    fileName csv
+    (
+        args.opt<fileName>
+        (
+            "csv",
+            runTime.globalPath()/"postProcessing"/"contactProbe"/"0"
+           /"contactProbe.csv"
+        )
+    );
+    if (csv.ext() != "csv")
+    {
+        csv += ".csv";
+    }
+    if (!csv.path().empty())
+    {
+        mkDir(csv.path());
+    }
+
+    try
+    {
+        const auto pairAt = [&](const probeSettings::pair& p, const scalar chi)
+        {
+            dust.setRatio(chi);
+            return contactPair
+            (
+                dust.table(), dust.time(), p,
+                settings.diameter(), settings.partnerDiameter()
+            );
+        };
+
+        const scalar given = dust.softening().ratio;
+        std::vector<pairSeries> all;
+        scalar advised = 0;
+        for (const probeSettings::pair& p : settings.pairs())
+        {
+            all.push_back({p, {}, {pairAt(p, 1)}});
+            advised = std::max
+            (
+                advised,
+                advisedRatio
+                (
+                    all.back().real.front(), settings, dust.limits(), false
+                )
+            );
+        }
+
+        scalarList chis(settings.chi());
+        if (chis.empty())
+        {
+            chis = scalarList(1, dust.automaticRatio() ? advised : given);
+        }
+        for (pairSeries& series : all)
+        {
+            for (const scalar chi : chis)
+            {
+                series.soft.push_back(pairAt(series.pair, chi));
+            }
+        }
+
+        if (dust.automaticRatio())
+        {
+            Info<< nl << "reducedStiffness/ratio auto: the softest that the"
+                << " limits allow for these pairs is " << advised << nl;
+        }
+        if (!dust.softening().scaleSurfaceEnergy)
+        {
+            Info<< nl << "reducedStiffness/surfaceEnergy unchanged: sticking and"
+                << " rebound depend on chi; the advice is for `scaled`" << nl;
+        }
+
+        for (const pairSeries& series : all)
+        {
+            printTable(series, settings, dust.limits());
+        }
+
+        writeCollisions(all, settings, csv, args.found("history"));
+
+        if (args.found("sticking"))
+        {
+            writeSticking(all, csv);
+        }
+        if (args.found("curve"))
+        {
+            Info<< nl << "Curves:" << nl;
+            writeForceOverlap(all, settings, csv);
+            for (const auto motion :
+                {
+                    heldContact::SLIDING, heldContact::ROLLING,
+                    heldContact::TWISTING
+                })
+            {
+                writeResistance(all, settings, motion, csv);
+            }
+        }
+    }
+    catch (const dem::inputError& e)
+    {
+        dustProperties::error(properties, e);
+    }
+    catch (const std::exception& e)
+    {
+        FatalErrorInFunction << e.what() << exit(FatalError);
+    }
+
+    Info<< nl << "End" << nl << endl;
+    return 0;
+}
+
+
+// ************************************************************************* //

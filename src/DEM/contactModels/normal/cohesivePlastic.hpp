@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Cohesive plastic: yields when it is loaded for the first time, springs back more stiffly,
+// and attracts with a force that grows with the load it has borne.
+//
+//     F_N = F_R - F_c,       F_c = F_c0 + c_f F_Rmax,      F_Rmax = K_R delta_max
+//     F_R = max(0, F_Rmax - K_2 (delta_max - delta))       (= K_R delta where delta = delta_max)
+//     K_R = 4 pi Y R s_f,    K_2 = max(K_R, ...)
+//       unloading initial:   2 E' a          slope of a Hertzian contact of radius a
+//       unloading average:   (4/3) E' a      its force over its overlap
+//       restitution e:       K_R/e^2         (without attraction it rebounds with e v)
+//
+// a^2 = 2 R delta_max is the flattened spot, E' = s_f^(5/4) E. Contact begins at delta = 0
+// and ends there, and forgets. K_2 >= K_R: below delta = 2 (pi Y/E)^2 R (initial; 9/4 of that
+// with average) the contact is elastic, else it would create energy. No dashpot unless dampingRatio
+// zeta [-] is given: eta_N = 2 zeta (m K_R)^(1/2), eta_T = eta_N. Sliding: k_T = 8 s_f^(5/4) G a, friction
+// presses with F_N + F_c. delta_max is the history.
+//
+//     yieldStrength Y [Pa]; the spot carries the pressure 2 Y
+//     attraction F_c0 [N], the same for all sizes, or attractionPerRadius F_c0/R [N/m] (with
+//         the energy gamma of one surface: 3 pi gamma as JKR, 4 pi gamma as DMT)
+//     attractionBuildUp c_f [-], 0 to below 1;  softening s_f [-], 1 (default) = real stiffness
+//
+// Softening: s_f with F_c0 s_f^(1/2) leaves e(v), sticking speed and v(t s_f^(1/2)) exactly
+// as they are; F_c0 is taken as given, so s_f alone lets it stick at higher speeds. The
+// reduced stiffness of elastic laws (chi) does not apply and is refused; surfaceEnergy has no
+// part in this law and may be 0.
+// Source: Walton 2004 (SAE 2004-01-2329), normal force; Walton & Braun 1986 for restitution;
+// physics.md section 2.
+// Keyword: normal { model cohesivePlastic; yieldStrength 1e8; unloading initial;
+//              attraction 5e-8; attractionBuildUp 0.1; }
+// Proof: tests/unit/DEM/cohesivePlastic.cpp, tests/verification/cohesivePlastic
+#pragma once
+
+#include "contactModels/contactModel/ContactScale.hpp"
+#include "contactModels/contactModel/NormalResponse.hpp"
+#include "contactModels/contactModel/PartInput.hpp"
+#include "contactModels/contactModel/Real.hpp"
+#include "particles/errors.hpp"
+#include "timeIntegration/contactPeriod.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dem
+{
+namespace normal
+{
+
+struct cohesivePlastic
+{
+    static constexpr const char* model = "cohesivePlastic";
+    static constexpr bool elastic = false;
+    static constexpr bool atDistance = false;
+    static constexpr int nConstants = 7;
+    static constexpr int nHistory = 1;
+
+    static std::vector<std::string> keywords()
+    {
+        return
+        {
+            "yieldStrength", "unloading", "restitution", "attraction",
+            "attractionPerRadius", "attractionBuildUp", "softening", "dampingRatio"
+        };
+    }
+
+    struct Parameters
+    {
+        double yieldStrength;       // Y [Pa]
+        double slope;               // K_2/(E' a) [-]; 0 = by restitution
+        double ratio;               // K_2/K_R at least [-]
+        double attraction;          // F_c0 [N]
+        double attractionPerRadius; // F_c0/R [N/m]
+        double buildUp;             // c_f [-]
+        double softening;           // s_f [-]
+        double dampingRatio;        // zeta [-]
+    };
+
+    static Parameters read(const PartInput& input)
+    {
+        const auto either = [&](const char* a, const char* b, const char* allowed)
+        {
+            if (input.has(a) != input.has(b)) return;
+            throw inputError
+            (
+                std::string("normal/") + a,
+                input.has(a)
+              ? std::string("given together with ") + b
+              : std::string("missing, needed by model ") + model,
+                allowed
+            );
+        };
+        either("unloading", "restitution", "either unloading (initial average) or restitution");
+        either
+        (
+            "attraction", "attractionPerRadius",
+            "either attraction [N] or attractionPerRadius [N/m]"
+        );
+
+        Parameters p;
+        p.yieldStrength = input.get("yieldStrength", 1, 1e14);
+        p.slope = 0;
+        p.ratio = 1;
+        if (input.has("unloading"))
+        {
+            p.slope =
+                input.word("unloading", {"initial", "average"}) == "initial" ? 2 : 4.0/3.0;
+        }
+        else
+        {
+            const double e = input.get("restitution", 0.01, 1);
+            p.ratio = 1/(e*e);
+        }
+        p.attraction = input.getOr("attraction", 0, 1e3, 0);
+        p.attractionPerRadius = input.getOr("attractionPerRadius", 0, 1e6, 0);
+        p.buildUp = input.get("attractionBuildUp", 0, 0.99);
+        p.softening = input.getOr("softening", 1e-9, 1, 1);
+        p.dampingRatio = input.getOr("dampingRatio", 0, 1, 0);
+        return p;
+    }
+
+    static double pullOff(const Parameters& p, const PairConstants&, double R)
+    {
+        return p.attraction + p.attractionPerRadius*R;
+    }
+    static double slidingOffset(double pullOff) { return pullOff; }
+    static double touchDistance(const Parameters&, const PairConstants&) { return 0; }
+    static double reach(const Parameters&, const PairConstants&, double) { return 0; }
+    static double tangentialDampingRatio(const PairConstants&) { return 1; }
+
+    //- K_R [N/m]
+    static double loadingStiffness(const Parameters& p, const PairConstants& c, double R)
+    {
+        return 4*M_PI*p.yieldStrength*R*(c.softened ? p.softening : 1);
+    }
+
+    //- Of the contact that is only loaded by its own attraction [m]
+    static double equilibriumRadius(const Parameters& p, const PairConstants& c, double R)
+    {
+        return std::sqrt(2*R*pullOff(p, c, R)/loadingStiffness(p, c, R));
+    }
+
+    //- By which E and G are softened: K_2/K_R at given impact stays as it is
+    static double shearFactor(const Parameters& p) { return std::pow(p.softening, 1.25); }
+
+    static void prepare(const Parameters& p, const ContactScale& s, double* c)
+    {
+        const double K = loadingStiffness(p, s.pair, s.R);
+        c[0] = K;
+        c[1] = pullOff(p, s.pair, s.R);
+        c[2] = p.buildUp;
+        c[3] = p.slope*s.pair.E*shearFactor(p);
+        c[4] = p.ratio*K;
+        c[5] = 2*s.R;
+        c[6] = 2*p.dampingRatio*std::sqrt(s.m*K);
+    }
+
+    //- Loading with K_R (1 - c_f) against F_c0 is the farthest that it can come
+    static ElasticBound bound
+    (
+        const Parameters& p, const ContactScale& s, double overlap, double speed,
+        const double* history
+    )
+    {
+        const double K = loadingStiffness(p, s.pair, s.R);
+        const double loading = (1 - p.buildUp)*K;
+        const double middle = pullOff(p, s.pair, s.R)/loading;
+        const double off = std::max(overlap, 0.0) - middle;
+        const double reached =
+            middle + std::sqrt(off*off + s.m*speed*speed/loading);
+        const double most = std::max(reached, history[0]);
+        // a floor for contacts that are neither adhesive nor in motion
+        const double a = std::max(std::sqrt(2*s.R*most), 1e-6*s.R);
+        return
+        {
+            a,
+            std::max(p.ratio*K, p.slope*s.pair.E*shearFactor(p)*a),
+            p.buildUp*K*most
+        };
+    }
+
+    //- Without attraction
+    static Impact impact(const Parameters& p, const ContactScale& s, double speed)
+    {
+        const double K = loadingStiffness(p, s.pair, s.R);
+        const double overlap = speed*std::sqrt(s.m/K);
+        const double a = std::sqrt(2*s.R*overlap);
+        const double K2 = std::max(p.ratio*K, p.slope*s.pair.E*shearFactor(p)*a);
+        return
+        {
+            overlap,
+            speed > 0 ? 0.5*M_PI*(std::sqrt(s.m/K) + std::sqrt(s.m/K2)) : 0
+        };
+    }
+
+    //- h[0] is delta_max [m]
+    template<class Real>
+    [[gnu::always_inline]] static NormalResponse<Real> evaluate
+    (
+        const Real* c, const Real& overlap, Real* h
+    )
+    {
+        const Real d = maximum(overlap, Real(0));
+        h[0] = maximum(h[0], d);
+        const Real a = squareRoot(c[5]*h[0]);
+        const Real unloading = maximum(c[4], c[3]*a);
+        const Real most = c[0]*h[0];
+        const Real repulsion = maximum(most - unloading*(h[0] - d), Real(0));
+        const Real buildUp = c[2]*most;
+        return {repulsion - c[1] - buildUp, c[6], a, Real(0), overlap, buildUp};
+    }
+};
+
+}
+}

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Bending: a rotational spring with a cap, of the strength that the attraction gives.
+//
+//     K_theta = R F_c/2 [N m/rad],   |M| <= B_max = b_f (F_c/2) (R F_c/K'_R)^(1/2)
+//
+// The angle of the spring is xi/R with the rolling displacement xi [m] of springSlider.hpp,
+// so M = (F_c/2) xi and |xi| <= b_f (R F_c/K'_R)^(1/2). F_c [N] is the pull-off force, with
+// the build-up of a law that hardens; K'_R [N/m] the stiffness of the normal law when it is
+// loaded: K_R of cohesivePlastic, the slope at the equilibrium of elastic laws (1.2 E a0 for
+// both JKR, 2 E a0 for DMT and vanDerWaals). Both are those of the unsoftened contact, or
+// with reducedStiffness { resistance scaled; } of the softened one: K'_R = s_f K_R.
+// The spring is 1/8 of the JKR rolling stiffness: not interchangeable with springSlider.
+// b_f [-] is bendingFactor, eta_R [N s] rollingDamping (M = ... + eta_R v_L), default 0.
+// Without attraction (F_c = 0) there is no resistance.
+// Source: Walton 2004 (SAE 2004-01-2329), bending moment; physics.md section 2.
+// Keyword: rolling { model bending; bendingFactor 1; }
+// Proof: tests/unit/DEM/bending.cpp, tests/verification/cohesivePlastic
+#pragma once
+
+#include "contactModels/contactModel/ContactScale.hpp"
+#include "contactModels/contactModel/NormalResponse.hpp"
+#include "contactModels/contactModel/PartInput.hpp"
+#include "contactModels/contactModel/Real.hpp"
+
+namespace dem
+{
+namespace rolling
+{
+
+struct bending
+{
+    static constexpr const char* model = "bending";
+    static constexpr bool on = true;
+    static constexpr bool elasticOnly = false;
+    static constexpr bool bends = true;
+    static constexpr int nConstants = 5;
+    static constexpr int nHistory = 3;
+
+    static std::vector<std::string> keywords()
+    {
+        return {"bendingFactor", "rollingDamping"};
+    }
+
+    struct Parameters
+    {
+        double factor = 0;          // b_f [-]
+        double rollingDamping = 0;  // eta_R [N s]
+    };
+
+    static Parameters read(const PartInput& input)
+    {
+        return
+        {
+            input.get("bendingFactor", 0, 1000),
+            input.getOr("rollingDamping", 0, 1e6, 0)
+        };
+    }
+
+    static void prepare
+    (
+        const Parameters& p,
+        const ContactScale& s,
+        const ResistanceScale& r,
+        double* c
+    )
+    {
+        c[0] = r.pullOff;
+        c[1] = r.stiffness > 0 ? p.factor*std::sqrt(s.R/r.stiffness) : 0;
+        c[2] = p.rollingDamping;
+        c[3] = s.skew;
+        c[4] = s.R;
+    }
+
+    //- K_theta [N m/rad]
+    static double rotationalStiffness(const double* c, double, double buildUp)
+    {
+        return 0.5*(c[0] + buildUp)*c[4];
+    }
+
+    //- B_max [N m] of a contact that has not been loaded before
+    static double yield(const double* c) { return 0.5*c[0]*c[1]*std::sqrt(c[0]); }
+
+    //- B_max [N m]
+    template<class Real>
+    [[gnu::always_inline]] static Real limit
+    (
+        const Real* c, const NormalResponse<Real>& normal
+    )
+    {
+        const Real F = c[0] + normal.buildUp;
+        return Real(0.5)*F*c[1]*squareRoot(F);
+    }
+
+    //- The vector M with torque on i = -n x M [N m]
+    template<class Real>
+    [[gnu::always_inline]] static V3<Real> evaluate
+    (
+        const Real* c,
+        const NormalResponse<Real>& normal,
+        const V3<Real>& roll,           // moved on this step [m]
+        const V3<Real>& rollVelocity,
+        V3<Real>& xi
+    )
+    {
+        xi = xi + roll;
+        const Real F = c[0] + normal.buildUp;
+        const Real square = dot(xi, xi);
+        const Real largest = c[1]*c[1]*F;
+        const auto yields = square > largest;
+        if (any(yields))
+        {
+            const Real cut = squareRoot(largest/maximum(square, Real(1e-290)));
+            xi = select(yields, cut, Real(1))*xi;
+        }
+        return (Real(0.5)*F)*xi + c[2]*rollVelocity;
+    }
+};
+
+}
+}

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Twisting: a spring as stiff as that of bending, capped by a part of the bending moment.
+//
+//     M_t = -K_phi xi - eta_Q omega_T,   K_phi = K_theta = R F_c/2 [N m/rad]
+//     |M_t| <= t_f B_max
+//
+// xi [rad] twist, omega_T = (omega_i - omega_j).n [rad/s]; F_c and B_max of
+// rolling/bending.hpp, which it needs. t_f [-] is twistingFactor, eta_Q [N m s]
+// twistingDamping, default 0: then a twist below the cap swings for ever.
+// Source: Walton 2004 (SAE 2004-01-2329), twisting moment; physics.md section 2.
+// Keyword: twisting { model cappedSpring; twistingFactor 0.5; }
+// Proof: tests/unit/DEM/bending.cpp, tests/verification/cohesivePlastic
+#pragma once
+
+#include "contactModels/contactModel/ContactScale.hpp"
+#include "contactModels/contactModel/NormalResponse.hpp"
+#include "contactModels/contactModel/PartInput.hpp"
+#include "contactModels/contactModel/Real.hpp"
+
+namespace dem
+{
+namespace twisting
+{
+
+struct cappedSpring
+{
+    static constexpr const char* model = "cappedSpring";
+    static constexpr bool on = true;
+    static constexpr bool limitedBySliding = false;
+    static constexpr bool limitedByBending = true;
+    static constexpr int nConstants = 4;
+    static constexpr int nHistory = 1;
+
+    static std::vector<std::string> keywords()
+    {
+        return {"twistingFactor", "twistingDamping"};
+    }
+
+    struct Parameters
+    {
+        double factor = 0;      // t_f [-]
+        double damping = 0;     // eta_Q [N m s]
+    };
+
+    static Parameters read(const PartInput& input)
+    {
+        return
+        {
+            input.get("twistingFactor", 0, 1000),
+            input.getOr("twistingDamping", 0, 1e6, 0)
+        };
+    }
+
+    static void prepare
+    (
+        const Parameters& p,
+        const ContactScale& s,
+        const ResistanceScale& r,
+        double,
+        double* c
+    )
+    {
+        c[0] = 0.5*s.R;
+        c[1] = r.pullOff;
+        c[2] = p.factor;
+        c[3] = p.damping;
+    }
+
+    //- Moment on i along n [N m]
+    template<class Real>
+    [[gnu::always_inline]] static Real evaluate
+    (
+        const Real* c,
+        const NormalResponse<Real>& normal,
+        const Real& bendingLimit,       // B_max [N m]
+        const Real& twist,              // moved on this step [rad]
+        const Real& twistRate,
+        Real& xi
+    )
+    {
+        const Real k = c[0]*(c[1] + normal.buildUp);
+        xi = xi + twist;
+        const Real cap = c[2]*bendingLimit;
+        const Real most = cap/maximum(k, Real(1e-290));
+        xi = maximum(-most, minimum(most, xi));
+        return Real(-1)*(k*xi + c[3]*twistRate);
+    }
+};
+
+}
+}
