@@ -148,6 +148,13 @@ scalar fastest(const probeSettings& settings)
 
 // * * * * * * * * * * * * * * * * The Table * * * * * * * * * * * * * * * * //
 
+//- Text with blanks up to a width
+string padded(const std::string& text, const std::size_t width)
+{
+    return text + std::string(width > text.size() ? width - text.size() : 1, ' ');
+}
+
+
 void printRow
 (
     const char* name,
@@ -156,8 +163,7 @@ void printRow
     const std::function<scalar(const contactPair&)>& value
 )
 {
-    Info<< "    " << setf(ios_base::left, ios_base::adjustfield) << setw(31) << name << setw(8) << unit
-        << setf(ios_base::right, ios_base::adjustfield);
+    Info<< "    " << padded(name, 31).c_str() << padded(unit, 8).c_str();
     for (const contactPair& p : soft)
     {
         Info<< ' ' << setw(11) << value(p);
@@ -440,18 +446,19 @@ void printTable
                 return heldContact(p, v).limit(heldContact::ROLLING).limit;
             }
         );
-        printRow
-        (
-            series.pair.wall
-          ? "  = force on the sphere" : "  = force on each sphere",
-            "N", soft,
-            [&](const contactPair& p)
-            {
-                return
-                    heldContact(p, v).limit(heldContact::ROLLING).limit
-                   /p.radius();
-            }
-        );
+        if (series.pair.wall)
+        {
+            printRow
+            (
+                "  = force on the sphere", "N", soft,
+                [&](const contactPair& p)
+                {
+                    return
+                        heldContact(p, v).limit(heldContact::ROLLING).limit
+                       /p.radius();
+                }
+            );
+        }
     }
 
     Info<< "    at " << v << " m/s, normal:" << nl;
@@ -529,7 +536,7 @@ void writeCollisions
     if (print)
     {
         Info<< ":" << nl << "    "
-            << setf(ios_base::left, ios_base::adjustfield) << setw(20) << "pair" << setf(ios_base::right, ios_base::adjustfield)
+            << padded("pair", 20).c_str()
             << setw(9) << "chi" << setw(11) << "m/s" << setw(8) << "degree"
             << setw(13) << "restitution" << setw(14) << "time [s]"
             << setw(14) << "overlap [m]" << "  outcome" << nl;
@@ -566,8 +573,7 @@ void writeCollisions
 
                     if (print)
                     {
-                        Info<< "    " << setf(ios_base::left, ios_base::adjustfield) << setw(20)
-                            << series.pair.name << setf(ios_base::right, ios_base::adjustfield)
+                        Info<< "    " << padded(series.pair.name, 20).c_str()
                             << setw(9) << chi << setw(11) << v << setw(8) << angle
                             << setw(13) << c.restitution
                             << setw(14) << c.contactTime
@@ -618,8 +624,8 @@ void writeSticking
             const scalar v = p.stickingSpeed();
             const dem::PairConstants& c = p.constants();
 
-            Info<< "    " << setf(ios_base::left, ios_base::adjustfield) << setw(20) << series.pair.name
-                << "chi " << setw(9) << c.chi << setf(ios_base::right, ios_base::adjustfield);
+            Info<< "    " << padded(series.pair.name, 20).c_str() << "chi" << setw(10)
+                << c.chi << ": ";
             if (v == 0)
             {
                 Info<< "never sticks" << nl;
@@ -642,7 +648,7 @@ void writeSticking
               : c.gamma/(rho*v*v*p.figures(0).R);
             const scalar factor = lambda/std::pow(Ad, 2.5);
 
-            Info<< setw(11) << v << " m/s, lambda " << lambda << ", Ad " << Ad
+            Info<< v << " m/s, lambda " << lambda << ", Ad " << Ad
                 << ", lambda/Ad^(5/2) " << factor << nl;
             table
                 << series.pair.name << ',' << c.chi << ',' << v << ','

@@ -7,16 +7,23 @@
 namespace dem
 {
 
-//- A particle as the contact kernels read it. Velocities come twice: at half step, by which
-//  springs are moved on, and predicted for the full step, for the dashpots; so the scheme
-//  is of second order with damping too.
+//- A particle as the contact kernels read it; velocities as predicted for the full step, so
+//  that the scheme is of second order with damping too
 struct alignas(32) Body
 {
-    double x[3], r;         // [m]
-    double vHalf[3], invM;  // [m/s], [1/kg]
-    double v[3], m;         // [m/s], [kg]
-    double wHalf[3], invI;  // [rad/s], [1/(kg m2)]
-    double w[3], I;         // [rad/s], [kg m2]
+    double x[3], r;     // [m]
+    double v[3], m;     // [m/s], [kg]
+    double w[3], I;     // [rad/s], [kg m2]
+};
+
+//- How springs move on in one evaluation: by the trapezoidal rule, half a step with the old
+//  velocity and half with the new. What is kept in the history between evaluations is
+//  ahead by `after`, i.e. by half a step of the velocities of then.
+struct SpringStep
+{
+    double turned = 0;  // step over which the pair has turned since the last evaluation [s]
+    double before = 0;  // slip time before the forces are evaluated [s]
+    double after = 0;   // slip time after it [s]
 };
 
 //- Force [N] and torque [N m] on a particle

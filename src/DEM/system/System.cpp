@@ -970,8 +970,8 @@ std::vector<ContactView> System::contacts() const
                 for (int d = 0; d < 3; ++d)
                 {
                     bodies[k].x[d] = a.x[d];
-                    bodies[k].v[d] = bodies[k].vHalf[d] = a.v[d];
-                    bodies[k].w[d] = bodies[k].wHalf[d] = a.omega[d];
+                    bodies[k].v[d] = a.v[d];
+                    bodies[k].w[d] = a.omega[d];
                 }
                 bodies[k].r = a.radius;
                 bodies[k].m = a.mass;
@@ -1009,14 +1009,14 @@ std::vector<ContactView> System::contacts() const
                 list.ny[0] = c.n[1];
                 list.nz[0] = c.n[2];
                 list.overlap[0] = v.overlap;
-                law.evaluateWalls(list, 0, 1, bodies, loads, 0, 1);
+                law.evaluateWalls(list, 0, 1, bodies, loads, {}, 1);
             }
             else
             {
                 const Vec3 d = s.periodic.nearest(q.x - p.x);
                 v.normal = d.normalized();
                 v.overlap = p.radius + q.radius - d.norm();
-                law.evaluatePairs(list, 0, 1, bodies, loads, 0, 1, s.periodic);
+                law.evaluatePairs(list, 0, 1, bodies, loads, {}, 1, s.periodic);
             }
             v.point = p.x + (p.radius - 0.5*v.overlap)*v.normal;
             v.force = Vec3(loads[0].f[0], loads[0].f[1], loads[0].f[2]);

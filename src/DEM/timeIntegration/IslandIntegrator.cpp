@@ -164,14 +164,14 @@ void IslandIntegrator::begin
     {
         e.R = p.radius;
         e.m = p.mass;
-        e.invInertia = bi.invI;
+        e.invInertia = 1/bi.I;
     }
     else
     {
         const Particle& q = particles_[std::size_t(j)];
         e.R = p.radius*q.radius/(p.radius + q.radius);
         e.m = p.mass*q.mass/(p.mass + q.mass);
-        e.invInertia = bi.invI + bodies_[std::size_t(j)].invI;
+        e.invInertia = 1/bi.I + 1/bodies_[std::size_t(j)].I;
         candidates_[std::size_t(candidate)].touching = true;
     }
     double skew = -0.5;
@@ -220,7 +220,11 @@ void IslandIntegrator::remove(ContactList& list, std::size_t k)
 {
     const int tag = list.tag[k];
     const int candidate = entries_[std::size_t(tag)].candidate;
-    if (candidate >= 0) candidates_[std::size_t(candidate)].touching = false;
+    if (candidate >= 0)
+    {
+        candidates_[std::size_t(candidate)].touching = false;
+        near_.push_back(candidate);
+    }
     freeEntries_.push_back(tag);
     list.swap(k, list.size() - 1);
     list.popBack();
@@ -310,13 +314,13 @@ bool IslandIntegrator::endMarked(StepReport& report)
                 if (!list.ended[k]) continue;
                 if (wall)
                 {
-                    law.evaluateWalls(list, k, k + 1, bodies_.data(), loads_.data(), 0, -1);
+                    law.evaluateWalls(list, k, k + 1, bodies_.data(), loads_.data(), {0, -0.5*ahead_, 0}, -1);
                 }
                 else
                 {
                     law.evaluatePairs
                     (
-                        list, k, k + 1, bodies_.data(), loads_.data(), 0, -1, periodic_
+                        list, k, k + 1, bodies_.data(), loads_.data(), {0, -0.5*ahead_, 0}, -1, periodic_
                     );
                 }
                 remove(list, k);
@@ -398,7 +402,7 @@ bool IslandIntegrator::form(StepReport& report)
     if (woken)
     {
         updateWalls();
-        evaluate(0, report);
+        evaluate({0, -0.5*ahead_, 0.5*ahead_}, report);
     }
     else if (any)
     {
@@ -408,12 +412,12 @@ bool IslandIntegrator::form(StepReport& report)
             law.evaluatePairs
             (
                 lists_[l].pairs, before[l].pairs, lists_[l].pairs.size(),
-                bodies_.data(), loads_.data(), 0, 1, periodic_
+                bodies_.data(), loads_.data(), {0, 0, 0.5*ahead_}, 1, periodic_
             );
             law.evaluateWalls
             (
                 lists_[l].walls, before[l].walls, lists_[l].walls.size(),
-                bodies_.data(), loads_.data(), 0, 1
+                bodies_.data(), loads_.data(), {0, 0, 0.5*ahead_}, 1
             );
         }
     }
@@ -496,7 +500,7 @@ double IslandIntegrator::accelerationBound(int i) const
     if (rest_[k].resting) return 0;
     const GasLoad& g = gas_[k];
     return
-        (g.Sp*(g.Uc - vec(bodies_[k].v)) + g.Su).norm()*bodies_[k].invM;
+        (g.Sp*(g.Uc - vec(bodies_[k].v)) + g.Su).norm()*kicks_[k].invM;
 }
 
 
@@ -520,7 +524,7 @@ void IslandIntegrator::refreshNear()
         const Candidate& k = candidates_[c];
         if (rest_[std::size_t(k.i)].resting && rest_[std::size_t(k.j)].resting) continue;
         Vec3 n;
-        if (gap(k, n) < skin_) near_.push_back(int(c));
+        if (!k.touching && gap(k, n) < skin_) near_.push_back(int(c));
     }
 
     nearSurfaces_.resize(particles_.size());
@@ -619,12 +623,12 @@ void IslandIntegrator::setFlight(double h)
     {
         const std::size_t k = std::size_t(i);
         const GasLoad& g = gas_[k];
-        const FlightFactors f(g.Sp*bodies_[k].invM, h);
-        const Vec3 b = (g.Sp*g.Uc + g.Su)*bodies_[k].invM;
+        const FlightFactors f(g.Sp*kicks_[k].invM, h);
+        const Vec3 b = (g.Sp*g.Uc + g.Su)*kicks_[k].invM;
         flight_[k] =
         {
             f.e, f.p1, f.p2,
-            g.SpOmega > 0 ? std::exp(-g.SpOmega*bodies_[k].invI*h) : 1,
+            g.SpOmega > 0 ? std::exp(-g.SpOmega*kicks_[k].invI*h) : 1,
             {b[0], b[1], b[2]},
             {g.omegaC[0], g.omegaC[1], g.omegaC[2]}
         };
@@ -632,7 +636,7 @@ void IslandIntegrator::setFlight(double h)
 }
 
 
-void IslandIntegrator::evaluate(double h, StepReport& report)
+void IslandIntegrator::evaluate(const SpringStep& step, StepReport& report)
 {
     for (const int i : awake_) loads_[std::size_t(i)] = Load{};
     for (std::size_t l = 0; l < lists_.size(); ++l)
@@ -644,14 +648,14 @@ void IslandIntegrator::evaluate(double h, StepReport& report)
         {
             law.evaluatePairs
             (
-                lists.pairs, 0, nPairs, bodies_.data(), loads_.data(), h, 1, periodic_
+                lists.pairs, 0, nPairs, bodies_.data(), loads_.data(), step, 1, periodic_
             );
         }
         if (nWalls)
         {
             law.evaluateWalls
             (
-                lists.walls, 0, nWalls, bodies_.data(), loads_.data(), h, 1
+                lists.walls, 0, nWalls, bodies_.data(), loads_.data(), step, 1
             );
         }
         report.contactUpdates += std::int64_t(nPairs + nWalls);
@@ -670,29 +674,32 @@ double IslandIntegrator::drift(double h)
         const std::size_t k = std::size_t(i);
         Body& b = bodies_[k];
         const Load& l = loads_[k];
-        const double kick = 0.5*h*b.invM, turn = 0.5*h*b.invI;
+        Kick& kick = kicks_[k];
+        const double push = 0.5*h*kick.invM, turn = 0.5*h*kick.invI;
         double square = 0;
         for (int d = 0; d < 3; ++d)
         {
-            const double v = b.v[d] + kick*l.f[d];
-            const double w = b.w[d] + turn*l.t[d];
+            double v = b.v[d] + push*l.f[d];
+            double w = b.w[d] + turn*l.t[d];
+            square += v*v;
             if constexpr (gas)
             {
                 const Flight& f = flight_[k];
+                const double start = v;
                 b.x[d] += f.p1*v + f.p2*f.b[d];
-                b.vHalf[d] = f.e*v + f.p1*f.b[d];
-                impulse_[k][d] += b.m*(b.vHalf[d] - v);
-                b.wHalf[d] = f.omegaC[d] + f.eSpin*(w - f.omegaC[d]);
+                v = f.e*v + f.p1*f.b[d];
+                impulse_[k][d] += b.m*(v - start);
+                square += std::max(v*v - start*start, 0.0);
+                w = f.omegaC[d] + f.eSpin*(w - f.omegaC[d]);
             }
             else
             {
                 b.x[d] += h*v;
-                b.vHalf[d] = v;
-                b.wHalf[d] = w;
             }
-            b.v[d] = b.vHalf[d] + kick*l.f[d];
-            b.w[d] = b.wHalf[d] + turn*l.t[d];
-            square += std::max(v*v, b.vHalf[d]*b.vHalf[d]);
+            kick.v[d] = v;
+            kick.w[d] = w;
+            b.v[d] = v + push*l.f[d];
+            b.w[d] = w + turn*l.t[d];
         }
         fastest = std::max(fastest, square);
     }
@@ -700,27 +707,55 @@ double IslandIntegrator::drift(double h)
 }
 
 
-void IslandIntegrator::step(double h, StepReport& report)
+//- One step of h, after which one of `next` is expected
+void IslandIntegrator::step(double h, double next, StepReport& report)
 {
+    prepareSprings(h);
     const double fastest = vacuum_ ? drift<false>(h) : drift<true>(h);
     fastest_ = std::sqrt(fastest);
     moved_ += fastest_*h;
     if (2*moved_ > 0.5*skin_) refreshNear();
 
     updateWalls();
-    evaluate(h, report);
+    evaluate({h, 0.5*h, 0.5*next}, report);
+    ahead_ = next;
 
     for (const int i : awake_)
     {
         Body& b = bodies_[std::size_t(i)];
         const Load& l = loads_[std::size_t(i)];
-        const double kick = 0.5*h*b.invM, turn = 0.5*h*b.invI;
+        const Kick& kick = kicks_[std::size_t(i)];
+        const double push = 0.5*h*kick.invM, turn = 0.5*h*kick.invI;
         for (int d = 0; d < 3; ++d)
         {
-            b.v[d] = b.vHalf[d] + kick*l.f[d];
-            b.w[d] = b.wHalf[d] + turn*l.t[d];
+            b.v[d] = kick.v[d] + push*l.f[d];
+            b.w[d] = kick.w[d] + turn*l.t[d];
         }
     }
+}
+
+
+//- Let the springs be ahead for a coming step h; loads are unchanged
+void IslandIntegrator::prepareSprings(double h)
+{
+    if (h == ahead_) return;
+    const SpringStep step{0, -0.5*ahead_, 0.5*h};
+    for (std::size_t l = 0; l < lists_.size(); ++l)
+    {
+        const ContactLaw& law = *materials_.laws()[l];
+        if (!law.needsSpin()) continue;
+        LawLists& lists = lists_[l];
+        law.evaluatePairs
+        (
+            lists.pairs, 0, lists.pairs.size(), bodies_.data(), loads_.data(), step, 0,
+            periodic_
+        );
+        law.evaluateWalls
+        (
+            lists.walls, 0, lists.walls.size(), bodies_.data(), loads_.data(), step, 0
+        );
+    }
+    ahead_ = h;
 }
 
 
@@ -1002,6 +1037,7 @@ void IslandIntegrator::checkRest(double elapsed, StepReport& report)
         due = due || rest.quietTime >= window;
     }
     if (!due) return;
+    prepareSprings(0);
 
     // clusters: a member that is not quiet, or no wall, keeps all awake
     std::vector<int> root(particles_.size());
@@ -1046,7 +1082,7 @@ void IslandIntegrator::checkRest(double elapsed, StepReport& report)
             0.5*(b.m*vec(b.v).squaredNorm() + b.I*vec(b.w).squaredNorm());
         for (int d = 0; d < 3; ++d)
         {
-            b.v[d] = b.vHalf[d] = b.w[d] = b.wHalf[d] = 0;
+            b.v[d] = b.w[d] = 0;
         }
         RestState& rest = rest_[k];
         rest.resting = true;
@@ -1105,6 +1141,8 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
 {
     const std::size_t n = particles_.size();
     bodies_.resize(n);
+    kicks_.resize(n);
+    ahead_ = 0;
     loads_.assign(n, Load{});
     awake_.clear();
     smallest_ = 1e300;
@@ -1122,14 +1160,14 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
         for (int d = 0; d < 3; ++d)
         {
             b.x[d] = p.x[d];
-            b.v[d] = b.vHalf[d] = p.v[d];
-            b.w[d] = b.wHalf[d] = p.omega[d];
+            b.v[d] = p.v[d];
+            b.w[d] = p.omega[d];
         }
         b.r = p.radius;
         b.m = p.mass;
-        b.invM = 1/p.mass;
         b.I = inertia;
-        b.invI = 1/inertia;
+        kicks_[i].invM = 1/p.mass;
+        kicks_[i].invI = 1/inertia;
         smallest_ = std::min(smallest_, p.radius);
         if (!rest_[i].resting) awake_.push_back(int(i));
     }
@@ -1149,7 +1187,7 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
     for (const int i : awake_)
     {
         const std::size_t k = std::size_t(i);
-        const FlightFactors f(gas_[k].Sp*bodies_[k].invM, dt);
+        const FlightFactors f(gas_[k].Sp*kicks_[k].invM, dt);
         speedBound = std::max
         (
             speedBound, vec(bodies_[k].v).norm() + accelerationBound(i)*f.p1
@@ -1162,7 +1200,7 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
     }
 
     updateWalls();
-    evaluate(0, report);
+    evaluate({}, report);
     endMarked(report);
     form(report);
 
@@ -1230,7 +1268,7 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
             }
         }
 
-        step(now, report);
+        step(now, std::min(h, left - now), report);
         t = now < left ? t + now : dt;
 
         bool event = endMarked(report);
@@ -1253,6 +1291,7 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
         }
     }
 
+    prepareSprings(0);
     for (LawLists& l : lists_)
     {
         for (std::size_t k = 0; k < l.pairs.size(); ++k) store(l.pairs, k, false);

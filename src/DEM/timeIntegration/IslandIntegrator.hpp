@@ -128,6 +128,13 @@ private:
         double pullOff, delta, yield;
     };
 
+    //- What the kicks need besides the kernels' view of a particle
+    struct Kick
+    {
+        double invM, invI;      // [1/kg], [1/(kg m2)]
+        double v[3], w[3];      // at half step
+    };
+
     //- Flight over the current h, per particle
     struct Flight
     {
@@ -146,10 +153,11 @@ private:
     void wakeCluster(int i, StepReport& report);
 
     // Stepping
-    void step(double h, StepReport& report);
+    void step(double h, double next, StepReport& report);
+    void prepareSprings(double h);
     template<bool gas> double drift(double h);
     void setFlight(double h);
-    void evaluate(double h, StepReport& report);
+    void evaluate(const SpringStep& step, StepReport& report);
     void updateWalls();
     void refreshNear();
     double contactStep(double time, StepReport& report);
@@ -180,6 +188,7 @@ private:
     std::vector<int> surfaces_;
 
     std::vector<Body> bodies_;
+    std::vector<Kick> kicks_;
     std::vector<Load> loads_;
     std::vector<Flight> flight_;
     std::vector<int> awake_;
@@ -193,6 +202,7 @@ private:
     std::vector<Weakest> weakest_;
     std::vector<std::vector<double>> wallTouch_;    // [m], by material and patch
 
+    double ahead_ = 0;          // [s] step by half of which the springs are ahead
     double flightStep_ = -1;    // h that flight_ is made for
     double skin_ = 0;           // [m] how far beyond touch near_ looks
     double moved_ = 0;          // [m] path of the fastest since refreshNear()

@@ -106,13 +106,15 @@ void Foam::dustCloud::printMaterials() const
 
     const scalar speed = max(d.gasSpeed, VSMALL);
 
-    Info<< nl << "Contacts at " << speed << " m/s (the fastest gas), chi "
-        << chi;
-    if (d.properties.automaticRatio())
-    {
-        Info<< " (auto: the softest that keeps to the limits)";
-    }
     Info<< nl << format
+        (
+            "Contacts at %.3g m/s (the fastest gas), chi %.3g%s",
+            speed,
+            chi,
+            d.properties.automaticRatio()
+          ? " (auto: the softest that keeps to the limits)"
+          : ""
+        ).c_str() << nl << format
         (
             "  %-16s %9s %10s %10s %9s %9s %9s %9s %9s %9s %9s",
             "pair", "d_m", "F_C_N", "F_C_real", "W_J/m2", "a0_m", "delta0_m",

@@ -51,15 +51,33 @@ public:
     const dem::ContactLaw& law() const { return *contactLaw_; }
     const dem::MaterialTable& table() const { return table_; }
 
+    //- Figures of the law at effective radius R, as softened
+    double pullOff(double R) const
+    {
+        return contactLaw_->pullOff(table_.pairInLaw(0, 1), table_.constants(0, 1), R);
+    }
+    double reach(double R) const
+    {
+        return contactLaw_->reach(table_.pairInLaw(0, 1), table_.constants(0, 1), R);
+    }
+    double equilibriumRadius(double R) const
+    {
+        return contactLaw_->equilibriumRadius
+        (
+            table_.pairInLaw(0, 1), table_.constants(0, 1), R
+        );
+    }
+
     std::vector<double> constants(double ri, double rj) const
     {
         std::vector<double> c(dem::maxConstants, 0.0);
         const double mi = law_.mass(ri), mj = rj > 0 ? law_.mass(rj) : 0;
         const double R = rj > 0 ? ri*rj/(ri + rj) : ri;
         const double m = rj > 0 ? mi*mj/(mi + mj) : mi;
+        const double skew = rj > 0 ? 0.5*(ri - rj)/(ri + rj) : -0.5;
         contactLaw_->prepare
         (
-            table_.pairInLaw(0, 1), {table_.constants(0, 1), R, m}, c.data()
+            table_.pairInLaw(0, 1), {table_.constants(0, 1), R, m, skew}, c.data()
         );
         return c;
     }

@@ -409,7 +409,7 @@ TEST(reducedStiffness, scalings)
         EXPECT_TRUE(close(s.gamma/r.gamma, std::pow(chi, 0.4), 1e-14));
         EXPECT_EQ(s.realE, r.E);
         EXPECT_EQ(s.realGamma, r.gamma);
-        EXPECT_EQ(s.resistanceGamma, r.gamma);
+        EXPECT_EQ(s.limits().gamma, r.gamma);
 
         const double mass = law.mass(1e-6);
         const auto figures = [&](const dem::MaterialTable& t)
@@ -432,7 +432,7 @@ TEST(reducedStiffness, scalings)
         law.softening.scaleResistance = true;
         EXPECT_TRUE
         (
-            close(law.table().constants(0, 1).resistanceGamma, r.gamma*std::pow(chi, 0.4), 1e-14)
+            close(law.table().constants(0, 1).limits().gamma, r.gamma*std::pow(chi, 0.4), 1e-14)
         );
     }
 }

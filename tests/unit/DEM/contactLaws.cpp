@@ -129,8 +129,8 @@ TEST(normalForce, JKRLandmarks)
                 return b.normal(g.ri, g.rj, overlap).elastic;
             };
 
-            EXPECT_TRUE(close(b.law().pullOff(law.gamma, c.R), FC, 1e-14));
-            EXPECT_TRUE(close(b.law().reach(law.gamma, c.E, c.R), c.deltaC(), 1e-14));
+            EXPECT_TRUE(close(b.pullOff(c.R), FC, 1e-14));
+            EXPECT_TRUE(close(b.reach(c.R), c.deltaC(), 1e-14));
             EXPECT_TRUE(close(force(0), -8.0/9.0*FC, 1e-13));
             EXPECT_TRUE(near(force(c.delta0()), 0, 1e-13*FC));
             EXPECT_TRUE(close(b.normal(g.ri, g.rj, c.delta0()).radius, c.a0(), 1e-14));
@@ -175,16 +175,16 @@ TEST(normalForce, simplifiedJKRAndDMTHoldAtTouch)
             close(simplified.normal(g.ri, g.rj, 0).elastic, -8.0/9.0*c.pullOff(), 1e-13)
         );
         EXPECT_LT(simplified.normal(g.ri, g.rj, -1e-3*c.delta0()).remaining, 0);
-        EXPECT_EQ(simplified.law().reach(c.gamma, c.E, c.R), 0);
+        EXPECT_EQ(simplified.reach(c.R), 0);
 
         const double dmtPullOff = 4*formula::pi*c.R*c.gamma;
         EXPECT_TRUE(close(dmt.normal(g.ri, g.rj, 0).elastic, -dmtPullOff, 1e-13));
-        EXPECT_TRUE(close(dmt.law().pullOff(c.gamma, c.R), dmtPullOff, 1e-14));
+        EXPECT_TRUE(close(dmt.pullOff(c.R), dmtPullOff, 1e-14));
         // equilibrium: Hertz carries 4 pi R gamma at a0
-        const double a0 = dmt.law().equilibriumRadius(c.gamma, c.E, c.R);
+        const double a0 = dmt.equilibriumRadius(c.R);
         EXPECT_TRUE(near(dmt.normal(g.ri, g.rj, a0*a0/c.R).elastic, 0, 1e-12*dmtPullOff));
         EXPECT_TRUE(close(dmt.normal(g.ri, g.rj, a0*a0/c.R).strength, 1, 1e-12));
-        EXPECT_EQ(dmt.law().reach(c.gamma, c.E, c.R), 0);
+        EXPECT_EQ(dmt.reach(c.R), 0);
     }
 }
 

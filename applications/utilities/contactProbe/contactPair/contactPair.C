@@ -282,12 +282,17 @@ Foam::contactPair::collision Foam::contactPair::collide
     const scalar h =
         step*std::max(scalar(1), std::floor(time_.stepsPerContact/looksPerPeriod));
 
-    // On the point of contact: the first step finds it there
+    // Just in contact, by a length that scales with the collision's own, so that
+    // softened contacts go through the very same motion
+    const scalar inside = std::max
+    (
+        1e-9*(f.impactOverlap + f.delta0), 4e-16*(ri_ + rj_)
+    );
     auto system = newSystem(table_, pair_.i, pair_.j);
     place
     (
         *system,
-        touch - 1e-12*ri_,
+        touch - inside,
         dem::Vec3(speed*std::sin(angle), 0, -vn)
     );
 

@@ -73,7 +73,7 @@ class Composite : public ContactLaw
     static bool evaluate
     (
         ContactList& list, std::size_t k,
-        const Body* bodies, Load* loads, double h, double sign,
+        const Body* bodies, Load* loads, const SpringStep& step, double sign,
         const double* period
     )
     {
@@ -150,33 +150,24 @@ class Composite : public ContactLaw
         if constexpr (spin)
         {
             const V3<Real> wi = gather(bi, &Body::w).v;
-            const V3<Real> wiHalf = gather(bi, &Body::wHalf).v;
             V3<Real> wRel = wi;
-            V3<Real> wRelHalf = wiHalf;
+            V3<Real> wSum = wi;
             V3<Real> arm = ri*wi;
-            V3<Real> armHalf = ri*wiHalf;
-            V3<Real> wSumHalf = wiHalf;
-            V3<Real> vHalf = gather(bi, &Body::vHalf).v;
             if constexpr (!wall)
             {
                 const V3<Real> wj = gather(bj, &Body::w).v;
-                const V3<Real> wjHalf = gather(bj, &Body::wHalf).v;
                 wRel = wRel - wj;
-                wRelHalf = wRelHalf - wjHalf;
+                wSum = wSum + wj;
                 arm = arm + rj*wj;
-                armHalf = armHalf + rj*wjHalf;
-                wSumHalf = wSumHalf + wjHalf;
-                vHalf = vHalf - gather(bj, &Body::vHalf).v;
             }
-            const V3<Real> slipV = v - vn*n + cross(arm, n);
-            const V3<Real> slipHalf = vHalf - dot(vHalf, n)*n + cross(armHalf, n);
+            const V3<Real> vt = v - vn*n;
+            const V3<Real> slipV = vt + cross(arm, n);
+            const Real before(step.before), after(step.after);
 
-            const Real step(h);
-            // How the normal has turned in this step. On a wall that is not known, and a
-            // wall does not spin: the spring stays with it.
-            const V3<Real> dn =
-                (Real(-1)*step*inverseDistance)*(vHalf - dot(vHalf, n)*n);
-            const Real twistMean = step*Real(0.5)*dot(wSumHalf, n);
+            // How the normal has turned since the last evaluation. On a wall that is not
+            // known, and a wall does not spin: the spring stays with it.
+            const V3<Real> dn = (Real(-step.turned)*inverseDistance)*vt;
+            const Real twistMean = Real(0.5*step.turned)*dot(wSum, n);
             const auto turn = [&](const V3<Real>& spring)
             {
                 if constexpr (wall) return turned(spring, n);
@@ -207,9 +198,10 @@ class Composite : public ContactLaw
                 const V3<Real> ft = Tangential::template evaluate<Real>
                 (
                     c + cT, pressed, normal.damping, normal.radius,
-                    step*slipHalf, slipV, xi
+                    before*slipV, slipV, xi
                 );
                 if constexpr (Normal::atDistance) xi = spot*xi;
+                xi = xi + after*slipV;
                 storeReal<Real>(&list.history[hT][k], xi.x);
                 storeReal<Real>(&list.history[hT + 1][k], xi.y);
                 storeReal<Real>(&list.history[hT + 2][k], xi.z);
@@ -230,7 +222,6 @@ class Composite : public ContactLaw
                 const Real skew = c[cR + Rolling::nConstants - 2];
                 const Real R = c[cR + Rolling::nConstants - 1];
                 const V3<Real> rollV = R*cross(wRel, n) + skew*slipV;
-                const V3<Real> rollHalf = R*cross(wRelHalf, n) + skew*slipHalf;
                 V3<Real> xi
                 {
                     loadReal<Real>(&list.history[hR][k]),
@@ -240,7 +231,7 @@ class Composite : public ContactLaw
                 xi = turn(xi);
                 V3<Real> M = Rolling::template evaluate<Real>
                 (
-                    c + cR, normal, step*rollHalf, rollV, xi
+                    c + cR, normal, before*rollV, rollV, xi
                 );
                 if constexpr (Normal::atDistance)
                 {
@@ -251,6 +242,7 @@ class Composite : public ContactLaw
                 {
                     twistingLimit = Rolling::template limit<Real>(c + cR, normal);
                 }
+                xi = xi + after*rollV;
                 storeReal<Real>(&list.history[hR][k], xi.x);
                 storeReal<Real>(&list.history[hR + 1][k], xi.y);
                 storeReal<Real>(&list.history[hR + 2][k], xi.z);
@@ -261,17 +253,19 @@ class Composite : public ContactLaw
 
             if constexpr (Twisting::on)
             {
+                const Real spinN = dot(wRel, n);
                 Real xi = loadReal<Real>(&list.history[hW][k]);
                 Real moment = Twisting::template evaluate<Real>
                 (
                     c + cW, normal, twistingLimit,
-                    step*dot(wRelHalf, n), dot(wRel, n), xi
+                    before*spinN, spinN, xi
                 );
                 if constexpr (Normal::atDistance)
                 {
                     xi = spot*xi;
                     moment = spot*moment;
                 }
+                xi = xi + after*spinN;
                 storeReal<Real>(&list.history[hW][k], xi);
                 torqueI = torqueI + moment*n;
                 torqueJ = torqueJ - moment*n;
@@ -317,7 +311,7 @@ class Composite : public ContactLaw
     static bool evaluateRange
     (
         ContactList& list, std::size_t begin, std::size_t end,
-        const Body* bodies, Load* loads, double h, double sign,
+        const Body* bodies, Load* loads, const SpringStep& step, double sign,
         const double* period
     )
     {
@@ -325,11 +319,11 @@ class Composite : public ContactLaw
         std::size_t k = begin;
         for (; k + packWidth <= end; k += packWidth)
         {
-            anyEnded |= evaluate<Pack, partner>(list, k, bodies, loads, h, sign, period);
+            anyEnded |= evaluate<Pack, partner>(list, k, bodies, loads, step, sign, period);
         }
         for (; k < end; ++k)
         {
-            anyEnded |= evaluate<double, partner>(list, k, bodies, loads, h, sign, period);
+            anyEnded |= evaluate<double, partner>(list, k, bodies, loads, step, sign, period);
         }
         return anyEnded;
     }
@@ -479,7 +473,7 @@ public:
     bool evaluatePairs
     (
         ContactList& list, std::size_t begin, std::size_t end,
-        const Body* bodies, Load* loads, double h, double sign,
+        const Body* bodies, Load* loads, const SpringStep& step, double sign,
         const Periodic& p
     ) const override
     {
@@ -493,24 +487,24 @@ public:
             }
             return evaluateRange<imagePartner>
             (
-                list, begin, end, bodies, loads, h, sign, period
+                list, begin, end, bodies, loads, step, sign, period
             );
         }
         return evaluateRange<pairPartner>
         (
-            list, begin, end, bodies, loads, h, sign, nullptr
+            list, begin, end, bodies, loads, step, sign, nullptr
         );
     }
 
     bool evaluateWalls
     (
         ContactList& list, std::size_t begin, std::size_t end,
-        const Body* bodies, Load* loads, double h, double sign
+        const Body* bodies, Load* loads, const SpringStep& step, double sign
     ) const override
     {
         return evaluateRange<wallPartner>
         (
-            list, begin, end, bodies, loads, h, sign, nullptr
+            list, begin, end, bodies, loads, step, sign, nullptr
         );
     }
 };

@@ -75,20 +75,20 @@ public:
         double invInertia, double overlap, double speed
     ) const = 0;
 
-    //- Add the loads of contacts [begin, end) to the bodies, times sign; springs move on by
-    //  the half-step velocities over h [s] (0: evaluate only). Sets ended[k] where a contact
-    //  has come to its end and returns whether any has.
+    //- Add the loads of contacts [begin, end) to the bodies, times sign; springs move on as
+    //  `step` says. Sets ended[k] where a contact has come to its end and returns whether
+    //  any has.
     virtual bool evaluatePairs
     (
         ContactList& list, std::size_t begin, std::size_t end,
-        const Body* bodies, Load* loads, double h, double sign,
+        const Body* bodies, Load* loads, const SpringStep& step, double sign,
         const Periodic& periodic
     ) const = 0;
 
     virtual bool evaluateWalls
     (
         ContactList& list, std::size_t begin, std::size_t end,
-        const Body* bodies, Load* loads, double h, double sign
+        const Body* bodies, Load* loads, const SpringStep& step, double sign
     ) const = 0;
 };
 
