@@ -255,6 +255,21 @@ const Foam::word& Foam::dustCloud::checkInput
 }
 
 
+void Foam::dustCloud::checkGas() const
+{
+    forAll(U_, celli)
+    {
+        if (!std::isfinite(U_[celli].x() + U_[celli].y() + U_[celli].z()))
+        {
+            FatalErrorInFunction
+                << "Gas field " << U_.name() << " is not finite at time "
+                << mesh_.time().timeName() << " in cell " << celli << " at "
+                << mesh_.C()[celli] << exit(FatalError);
+        }
+    }
+}
+
+
 void Foam::dustCloud::addArrivals()
 {
     dem::System& system = *dem_->system;
@@ -531,16 +546,7 @@ Foam::dustCloud::dustCloud
 
     demData& d = *dem_;
 
-    for (const vector& Ui : U_.primitiveField())
-    {
-        if (!std::isfinite(magSqr(Ui)))
-        {
-            FatalErrorInFunction
-                << "Field " << U_.name() << " of time "
-                << mesh_.time().timeName() << " has values that are not finite"
-                << " numbers" << exit(FatalError);
-        }
-    }
+    checkGas();
     d.gasSpeed = returnReduce
     (
         max(mag(U_.primitiveField())()),
@@ -750,6 +756,11 @@ void Foam::dustCloud::evolve(const scalar gasSeconds)
     if (!solution_.canEvolve())
     {
         return;
+    }
+
+    if (!gasFrozen_)
+    {
+        checkGas();
     }
 
     // Building the interpolators costs more than a particle step

@@ -575,12 +575,15 @@ void Foam::dustCloud::printProgress()
     Pstream::listCombineGather(counts, plusEqOp<label>());
 
     const scalar span = time.endTime().value() - d.startTime;
-    const scalar done = span > 0 ? (time.value() - d.startTime)/span : 1;
+    const scalar done =
+        span > 0 ? min(scalar(1), (time.value() - d.startTime)/span) : 1;
 
     Info<< format
         (
-            "Time = %s s (%.1f %%), left %s: airborne %d, deposited %d "
+            "%s%s s (%.1f %%), left %s: airborne %d, deposited %d "
             "(in contact %d, resting %d), escaped %d",
+            // a gas that is solved has its own lines
+            gasFrozen_ ? "Time = " : "Dust at ",
             time.timeName().c_str(),
             100*done,
             done > 0 ? duration(wall*(1 - done)/done).c_str() : "?",

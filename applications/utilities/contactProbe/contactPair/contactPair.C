@@ -440,9 +440,9 @@ Foam::contactPair::collision Foam::contactPair::collide
                     result.outcome = ROLL;
                 }
 
-                const scalar now = (std::fabs(netSlip) + std::fabs(netRoll))/window;
-                steady = now >= 0.999*tangentialSpeed ? steady + 1 : 0;
-                tangentialSpeed = now;
+                const scalar drift = (std::fabs(netSlip) + std::fabs(netRoll))/window;
+                steady = drift >= 0.999*tangentialSpeed ? steady + 1 : 0;
+                tangentialSpeed = drift;
                 ++windows;
 
                 if
