@@ -343,7 +343,7 @@ void WallSearch::hits
     std::vector<WallHit>& result
 ) const
 {
-    struct Local { int triangle; int feature; double distance; Vec3 point; };
+    struct Local { int triangle; int feature; double distance; Vec3 point; bool front; };
     static thread_local std::vector<Local> local;
     local.clear();
     result.clear();
@@ -361,10 +361,20 @@ void WallSearch::hits
         Local l;
         l.triangle = s;
         l.distance = nearest(s, x, l.point, l.feature);
+        l.front = topology_[std::size_t(s)].normal.dot(x - l.point) >= 0;
         // a little more than range: what is nearer across an edge must be seen
         if (l.distance <= range*(1 + 1e-9)) local.push_back(l);
     }
     const std::size_t nShapeHits = result.size();
+
+    // Nearer; or the same point, of which speaks the triangle that is seen from the front,
+    // then the lower
+    const auto outdoes = [](const Local& o, const Local& l)
+    {
+        const double tie = 1e-9*l.distance;
+        if (std::fabs(o.distance - l.distance) > tie) return o.distance < l.distance;
+        return o.front != l.front ? o.front : o.triangle < l.triangle;
+    };
 
     for (const Local& l : local)
     {
@@ -374,7 +384,7 @@ void WallSearch::hits
         if (l.feature == face)
         {
             // seen from behind, it is some other surface's back
-            minimum = topo.normal.dot(x - l.point) >= 0;
+            minimum = l.front;
         }
         else if (l.feature <= edgeCA)
         {
@@ -382,16 +392,7 @@ void WallSearch::hits
             for (const Local& o : local)
             {
                 if (o.triangle != other) continue;
-                // nearer there, or the same point, of which the lower triangle speaks
-                const double tie = 1e-9*l.distance;
-                if
-                (
-                    o.distance < l.distance - tie
-                 || (o.distance <= l.distance + tie && o.triangle < l.triangle)
-                )
-                {
-                    minimum = false;
-                }
+                minimum = minimum && !outdoes(o, l);
             }
         }
         else
@@ -405,15 +406,7 @@ void WallSearch::hits
                     o.triangle == l.triangle
                  || (v[0] != vertex && v[1] != vertex && v[2] != vertex)
                 ) continue;
-                const double tie = 1e-9*l.distance;
-                if
-                (
-                    o.distance < l.distance - tie
-                 || (o.distance <= l.distance + tie && o.triangle < l.triangle)
-                )
-                {
-                    minimum = false;
-                }
+                minimum = minimum && !outdoes(o, l);
             }
         }
 
@@ -471,19 +464,15 @@ double WallSearch::timeToTouch
          && topology_[std::size_t(s)].normal.dot(n) > 0
         ) continue;
 
-        // From inside a round wall the gap is not convex: it curves by v_t^2/d at most
-        double curvature = 0;
-        if (s >= nTriangles + int(walls_.planes.size()))
-        {
-            curvature = v.squaredNorm()/std::max(distance, radius);
-        }
+        // From inside a round wall the gap is not convex: allow for the whole speed
+        const bool round = s >= nTriangles + int(walls_.planes.size());
+        const double closing = round ? v.norm() : v.dot(n);
         shortest = std::min
         (
             shortest,
             closingTime
             (
-                distance - radius - touch[std::size_t(patchOf(s))],
-                v.dot(n), bound + curvature
+                distance - radius - touch[std::size_t(patchOf(s))], closing, bound
             )
         );
     }

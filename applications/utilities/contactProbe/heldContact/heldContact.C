@@ -202,6 +202,17 @@ Foam::scalar Foam::heldContact::equilibrium()
 
 Foam::heldContact::resistance Foam::heldContact::limit(const motionType motion)
 {
+    // a part that is off would leave round-off
+    const dem::ContactSettings& s = pair_.settings();
+    const std::string& model =
+        motion == SLIDING ? s.tangential.model
+      : motion == ROLLING ? s.rolling.model
+      : s.twisting.model;
+    if (model == "none")
+    {
+        return resistance();
+    }
+
     const scalar overlap = equilibrium();
     bool touching;
     release();

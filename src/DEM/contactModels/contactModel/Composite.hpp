@@ -164,13 +164,13 @@ class Composite : public ContactLaw
             const V3<Real> slipV = vt + cross(arm, n);
             const Real before(step.before), after(step.after);
 
-            // How the normal has turned since the last evaluation. On a wall that is not
-            // known, and a wall does not spin: the spring stays with it.
+            // How the normal has turned since the last evaluation (on a wall that is not
+            // known), and the pair about it: by the mean of the two spins, a wall's is 0.
             const V3<Real> dn = (Real(-step.turned)*inverseDistance)*vt;
             const Real twistMean = Real(0.5*step.turned)*dot(wSum, n);
             const auto turn = [&](const V3<Real>& spring)
             {
-                if constexpr (wall) return turned(spring, n);
+                if constexpr (wall) return turned(spring, n, twistMean);
                 else return turned(spring, n, dn, twistMean);
             };
 

@@ -97,9 +97,13 @@ template<class Real>
 
 //- The same where dn is not known: projected and brought back to its length
 template<class Real>
-[[gnu::always_inline]] inline V3<Real> turned(const V3<Real>& spring, const V3<Real>& n)
+[[gnu::always_inline]] inline V3<Real> turned
+(
+    const V3<Real>& spring, const V3<Real>& n, const Real& twist
+)
 {
-    const V3<Real> p = spring - dot(spring, n)*n;
+    const V3<Real> t = spring + twist*cross(n, spring);
+    const V3<Real> p = t - dot(t, n)*n;
     const Real tiny(1e-290);
     const Real scale = squareRoot
     (
