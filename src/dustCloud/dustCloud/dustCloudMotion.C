@@ -272,6 +272,7 @@ void Foam::dustCloud::motion(dustParcel::trackingData& td)
     scalarField Sp;
     vectorField nonCoupled;
     escaping_ = tally();
+    d.gasStep = dem::StepReport();
 
     scalar left = solution_.trackTime();
 
@@ -294,7 +295,7 @@ void Foam::dustCloud::motion(dustParcel::trackingData& td)
         const stopwatch moving;
         try
         {
-            d.totals.add(d.system->advance(dt));
+            d.gasStep.add(d.system->advance(dt));
         }
         catch (const dem::numericalError& e)
         {
@@ -323,6 +324,8 @@ void Foam::dustCloud::motion(dustParcel::trackingData& td)
         }
         d.trackSeconds += tracking.seconds();
     }
+
+    d.totals.add(d.gasStep);
 
     // Escapes of all ranks
     forAll(escaping_, patchi)

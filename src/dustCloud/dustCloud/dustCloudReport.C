@@ -188,7 +188,7 @@ void Foam::dustCloud::printMaterials() const
             {
                 advice += format
                 (
-                    "  Warning: %s: an impact at %.3g m/s overlaps by %.2g of "
+                    "  Note: %s: an impact at %.3g m/s overlaps by %.2g of "
                     "d, limit %.2g; a chi of %.2g would keep it\n",
                     pair.c_str(),
                     speed,
@@ -197,7 +197,6 @@ void Foam::dustCloud::printMaterials() const
                     // overlaps grow as chi^(-2/5)
                     min(scalar(1), chi*pow(overlap/overlapLimit, 2.5))
                 );
-                ++d.setUpWarnings;
             }
 
             // Where each adhesive law holds
@@ -210,7 +209,6 @@ void Foam::dustCloud::printMaterials() const
                     "JKR holds above 3, DMT below 0.1\n",
                     pair.c_str(), normal.c_str(), lowTabor, highTabor
                 );
-                ++d.setUpWarnings;
             }
 
             const scalar gamma = table.constants(dust, i).realGamma;
@@ -244,7 +242,7 @@ void Foam::dustCloud::printMaterials() const
             chi,
             d.properties.limits().ratio
         );
-        ++d.setUpWarnings;
+        d.ratioBelowLimit = true;
         if (d.properties.limits().stop)
         {
             dustProperties::error
@@ -461,7 +459,7 @@ void Foam::dustCloud::checkLimits()
     // Overlap
 
     const scalar overlap =
-        returnReduce(d.totals.maxOverlapOverDiameter, maxOp<scalar>());
+        returnReduce(d.gasStep.maxOverlapOverDiameter, maxOp<scalar>());
 
     if (overlap > limits.overlap)
     {
@@ -791,7 +789,7 @@ void Foam::dustCloud::summarise()
         Info<< "BALANCE DOES NOT CLOSE";
     }
     const bool within =
-        !d.marginSteps && !d.overlapSteps && !d.setUpWarnings;
+        !d.marginSteps && !d.overlapSteps && !d.ratioBelowLimit;
     if (within)
     {
         Info<< "; all limits kept";
@@ -805,8 +803,8 @@ void Foam::dustCloud::summarise()
                  ? format("%.3g", d.smallestMargin)
                  : std::string("-")
                ).c_str()
-            << "), overlap in " << d.overlapSteps << ", "
-            << d.setUpWarnings << " warnings at the start";
+            << "), overlap in " << d.overlapSteps << ", chi "
+            << (d.ratioBelowLimit ? "below" : "within") << " its limit";
     }
     Info<< nl << endl;
 

@@ -17,12 +17,12 @@ struct Placed
     double ri, rj;                  // rj <= 0: flat wall
     double overlap;
     Vec3 n = Vec3::UnitX();
-    // motion over the step, by which springs are moved on
-    Vec3 vHalfI = Vec3::Zero(), vHalfJ = Vec3::Zero();
-    Vec3 wHalfI = Vec3::Zero(), wHalfJ = Vec3::Zero();
-    // velocities that the dashpots see
+    // velocities and spins, by which springs are moved on and which dashpots see
     Vec3 vI = Vec3::Zero(), vJ = Vec3::Zero();
     Vec3 wI = Vec3::Zero(), wJ = Vec3::Zero();
+    // the same for the springs alone, added to those
+    Vec3 vSpringI = Vec3::Zero(), vSpringJ = Vec3::Zero();
+    Vec3 wSpringI = Vec3::Zero(), wSpringJ = Vec3::Zero();
 };
 
 struct Loads { Vec3 forceI, forceJ, torqueI, torqueJ; };
@@ -106,16 +106,14 @@ public:
     //- Move contact k, keeping its history
     void place(std::size_t k, const Placed& p)
     {
+        placed_.resize(tags_.size());
+        placed_[k] = p;
         dem::Body& a = bodies_[2*k];
         dem::Body& b = bodies_[2*k + 1];
         a = {};
         b = {};
         a.r = p.ri;
         b.r = p.rj > 0 ? p.rj : 0;
-        put(a.v, p.vI); put(b.v, p.vJ);
-        put(a.vHalf, p.vHalfI); put(b.vHalf, p.vHalfJ);
-        put(a.w, p.wI); put(b.w, p.wJ);
-        put(a.wHalf, p.wHalfI); put(b.wHalf, p.wHalfJ);
         if (p.rj > 0)
         {
             put(b.x, (p.ri + p.rj - p.overlap)*p.n);
@@ -130,33 +128,35 @@ public:
         }
     }
 
-    //- Evaluate everything; contacts of one kind go to the kernel in one call, or one by one
+    //- Move the springs on over h, then evaluate; contacts of one kind go to the kernel in
+    //  one call, or one by one
     void evaluate(double h = 0, bool together = true)
     {
-        for (dem::Load& l : loads_) l = {};
-        const auto run = [&](std::size_t first, std::size_t last, bool wall)
+        if (h > 0)
         {
-            if (wall)
+            // over a long time at low speed, so that no dashpot has a say
+            const double slow = 1e15;
+            for (std::size_t k = 0; k < placed_.size(); ++k)
             {
-                contactLaw_->evaluateWalls
-                (
-                    walls_, first, last, bodies_.data(), loads_.data(), h, 1
-                );
+                const Placed& p = placed_[k];
+                dem::Body& a = bodies_[2*k];
+                dem::Body& b = bodies_[2*k + 1];
+                put(a.v, h/slow*(p.vI + p.vSpringI));
+                put(b.v, h/slow*(p.vJ + p.vSpringJ));
+                put(a.w, h/slow*(p.wI + p.wSpringI));
+                put(b.w, h/slow*(p.wJ + p.wSpringJ));
             }
-            else
-            {
-                contactLaw_->evaluatePairs
-                (
-                    pairs_, first, last, bodies_.data(), loads_.data(), h, 1, {}
-                );
-            }
-        };
-        for (const bool wall : {false, true})
-        {
-            const std::size_t n = wall ? walls_.size() : pairs_.size();
-            if (together) run(0, n, wall);
-            else for (std::size_t k = 0; k < n; ++k) run(k, k + 1, wall);
+            run({slow, slow, 0}, together);
         }
+        for (std::size_t k = 0; k < placed_.size(); ++k)
+        {
+            const Placed& p = placed_[k];
+            put(bodies_[2*k].v, p.vI);
+            put(bodies_[2*k + 1].v, p.vJ);
+            put(bodies_[2*k].w, p.wI);
+            put(bodies_[2*k + 1].w, p.wJ);
+        }
+        run({}, together);
     }
 
     Loads loads(std::size_t k) const
@@ -184,11 +184,40 @@ private:
 
     struct Tag { bool pair; std::size_t index; };
 
+    void run(const dem::SpringStep& step, bool together)
+    {
+        for (dem::Load& l : loads_) l = {};
+        for (const bool wall : {false, true})
+        {
+            const std::size_t n = wall ? walls_.size() : pairs_.size();
+            for (std::size_t first = 0; first < n;)
+            {
+                const std::size_t last = together ? n : first + 1;
+                if (wall)
+                {
+                    contactLaw_->evaluateWalls
+                    (
+                        walls_, first, last, bodies_.data(), loads_.data(), step, 1
+                    );
+                }
+                else
+                {
+                    contactLaw_->evaluatePairs
+                    (
+                        pairs_, first, last, bodies_.data(), loads_.data(), step, 1, {}
+                    );
+                }
+                first = last;
+            }
+        }
+    }
+
     scene::Law law_;
     dem::MaterialTable table_;
     const dem::ContactLaw* contactLaw_;
     dem::ContactList pairs_, walls_;
     std::vector<Tag> tags_;
+    std::vector<Placed> placed_;
     std::vector<dem::Body> bodies_;
     std::vector<dem::Load> loads_;
 };

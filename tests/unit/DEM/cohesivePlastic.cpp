@@ -304,13 +304,13 @@ TEST(cohesivePlastic, frictionPressesWithTheRepulsion)
         const double G = p.E*(1 - nu)/(2*(2 - nu))*std::pow(softening, 1.25);
         const double a = std::sqrt(2*r*2e-9);
         placed.overlap = 1.99e-9;
-        placed.vHalfI = Vec3(1e-16/h, 0, 0);
+        placed.vI = Vec3(1e-16/h, 0, 0);
         b.place(0, placed);
         b.evaluate(h);
         EXPECT_TRUE(near(b.loads(0).forceI.x(), -8*G*a*1e-16, 1e-12*8*G*a*1e-16));
 
         // a large one: mu F_R, F_R = F_N + F_c with the build-up of the past load
-        placed.vHalfI = Vec3(1e-6/h, 0, 0);
+        placed.vI = Vec3(1e-6/h, 0, 0);
         b.place(0, placed);
         b.evaluate(h);
         const double KR = p.KR(r);
@@ -334,13 +334,14 @@ TEST(cohesivePlastic, pullOffInFigures)
     const dem::ContactFigures wall = table.figures(0, 1, r, -1, m, 0, 2);
     EXPECT_TRUE(close(wall.pullOff, 0.3*r, 1e-14));
     EXPECT_TRUE(close(table.figures(0, 0, r, r, m, m, 2).pullOff, 0.15*r, 1e-14));
-    // without attraction: v (m/K_R)^(1/2) and two quarter periods
+    // without attraction: v (m/K_R)^(1/2); two quarter periods and the flattened part
     const double overlap = 2*std::sqrt(m/p.KR(r));
     EXPECT_TRUE(close(wall.impactOverlap, overlap, 1e-13));
+    const double K2 = p.K2(r, overlap), e = std::sqrt(p.KR(r)/K2);
     EXPECT_TRUE(close
     (
         wall.impactTime,
-        pi/2*(std::sqrt(m/p.KR(r)) + std::sqrt(m/p.K2(r, overlap))), 1e-13
+        pi/2*(std::sqrt(m/p.KR(r)) + std::sqrt(m/K2)) + overlap*(1 - e*e)/(2*e), 1e-13
     ));
 }
 

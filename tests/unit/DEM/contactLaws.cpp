@@ -354,7 +354,7 @@ TEST(sliding, stiffnessIs8Ga)
             const double a = formula::normal(name, c, overlap, 0.86).radius;
 
             Placed p{g.ri, g.rj, overlap};
-            p.vHalfI = Vec3(0, 0.6*slip/h, 0.8*slip/h);
+            p.vSpringI = Vec3(0, 0.6*slip/h, 0.8*slip/h);
             b.add(p);
             for (int step = 1; step <= 3; ++step)
             {
@@ -382,15 +382,15 @@ TEST(sliding, slipOfSpinningSpheres)
 
     Placed gears{ri, rj, overlap, n}, spin = gears, rigid = gears, both = gears;
     // surfaces that move together at the contact do not slip
-    gears.wHalfI = Vec3(0, 0, 3e-6/h);
-    gears.wHalfJ = Vec3(0, 0, -1e-6/h);
-    spin.wHalfI = Vec3(0, 0, 1e-6/h);
+    gears.wSpringI = Vec3(0, 0, 3e-6/h);
+    gears.wSpringJ = Vec3(0, 0, -1e-6/h);
+    spin.wSpringI = Vec3(0, 0, 1e-6/h);
     // a rigid rotation of both about the contact point
-    rigid.wHalfI = rigid.wHalfJ = Vec3(0, 0, 1e-6/h);
-    rigid.vHalfI = rigid.wHalfI.cross(-ri*n);
-    rigid.vHalfJ = rigid.wHalfJ.cross(rj*n);
-    both.vHalfI = Vec3(0, 2e-12/h, 0);
-    both.vHalfJ = Vec3(0, 0, 1e-12/h);
+    rigid.wSpringI = rigid.wSpringJ = Vec3(0, 0, 1e-6/h);
+    rigid.vSpringI = rigid.wSpringI.cross(-ri*n);
+    rigid.vSpringJ = rigid.wSpringJ.cross(rj*n);
+    both.vSpringI = Vec3(0, 2e-12/h, 0);
+    both.vSpringJ = Vec3(0, 0, 1e-12/h);
 
     ContactBench b(law);
     for (const Placed& p : {gears, spin, rigid, both}) b.add(p);
@@ -443,7 +443,7 @@ TEST(sliding, limitUsesTheOriginalPullOff)
                 for (const double overlap : overlaps)
                 {
                     Placed p{1e-6, -1, overlap, Vec3::UnitZ()};
-                    p.vHalfI = Vec3(1e-3/h, 0, 0);
+                    p.vSpringI = Vec3(1e-3/h, 0, 0);
                     b.add(p);
                 }
                 for (int step = 0; step < 2; ++step) b.evaluate(h);
@@ -469,21 +469,21 @@ TEST(sliding, unloadsAtOnceAfterSliding)
     const double h = 1e-9, k = 8*c.G*c.a0(), cap = 0.3*2*c.pullOff();
     Placed p{1e-6, -1, c.delta0(), Vec3::UnitZ()};
     ContactBench b(law);
-    p.vHalfI = Vec3(100*cap/k/h, 0, 0);
+    p.vSpringI = Vec3(100*cap/k/h, 0, 0);
     b.add(p);
     b.evaluate(h);
     EXPECT_TRUE(close(b.loads(0).forceI.x(), -cap, 1e-11));
-    p.vHalfI = Vec3(-0.25*cap/k/h, 0, 0);
+    p.vSpringI = Vec3(-0.25*cap/k/h, 0, 0);
     b.place(0, p);
     b.evaluate(h);
     EXPECT_TRUE(close(b.loads(0).forceI.x(), -0.75*cap, 1e-11));
     // the other way round it slides at the same limit
-    p.vHalfI = Vec3(-100*cap/k/h, 0, 0);
+    p.vSpringI = Vec3(-100*cap/k/h, 0, 0);
     b.place(0, p);
     b.evaluate(h);
     EXPECT_TRUE(close(b.loads(0).forceI.x(), cap, 1e-11));
     // and across: the force turns into the direction of slip, never beyond the limit
-    p.vHalfI = Vec3(0, 1e3*cap/k/h, 0);
+    p.vSpringI = Vec3(0, 1e3*cap/k/h, 0);
     b.place(0, p);
     b.evaluate(h);
     EXPECT_TRUE(close(b.loads(0).forceI.norm(), cap, 1e-6));
@@ -525,19 +525,23 @@ TEST(sliding, springTurnsWithThePair)
     const formula::Contact c = law.contact(1e-6, 1e-6);
     const double h = 1e-9, slip = 1e-14;
     Placed p{1e-6, 1e-6, c.delta0()};
-    p.vHalfI = Vec3(0, slip/h, 0);
+    p.vSpringI = Vec3(0, slip/h, 0);
     ContactBench b(law);
     b.add(p);
     b.evaluate(h);
     const double loaded = b.loads(0).forceI.norm();
-    p.vHalfI = Vec3::Zero();
-    for (int k = 1; k <= 100; ++k)
+    p.vSpringI = Vec3::Zero();
+    const double turn = formula::pi/2/1000, distance = 2e-6 - c.delta0();
+    for (int k = 1; k <= 1000; ++k)
     {
-        const double angle = k*formula::pi/2/100;
-        p.n = Vec3(std::cos(angle), std::sin(angle), 0);
+        p.n = Vec3(std::cos(k*turn), std::sin(k*turn), 0);
+        // the pair turns about the first sphere, without slip
+        p.vSpringJ = Vec3(0, 0, turn/h).cross(distance*p.n);
+        p.wSpringI = p.wSpringJ = Vec3(0, 0, turn/h)*distance/2e-6;
         b.place(0, p);
-        b.evaluate(0);
+        b.evaluate(h);
     }
+    p.vSpringJ = Vec3::Zero();
     // after a quarter turn about z, what pointed along y points along -x
     const Vec3 f = b.loads(0).forceI;
     const double normalForce = formula::normal("JKR", c, c.delta0(), 1).force;
@@ -545,7 +549,7 @@ TEST(sliding, springTurnsWithThePair)
     EXPECT_GT(f.x(), 0);
 
     // spin of the pair about the normal turns it as well: a quarter turn about y
-    p.wHalfI = p.wHalfJ = p.n*(formula::pi/2/1000/h);
+    p.wSpringI = p.wSpringJ = p.n*(formula::pi/2/1000/h);
     b.place(0, p);
     for (int k = 0; k < 1000; ++k) b.evaluate(h);
     // turned about the normal y from x to -z
@@ -588,12 +592,12 @@ TEST(rolling, stiffnessAndLimit)
                     Placed p{ri, rj, overlap};
                     // equal and opposite surface speeds: v_S = 0, only rolling
                     const double roll = 1e-3*critical;
-                    p.wHalfI = Vec3(0, 0, roll/h/ri)/(1 + ri/rj)*ri/real.R;
-                    p.wHalfJ = -p.wHalfI*ri/rj;
+                    p.wSpringI = Vec3(0, 0, roll/h/ri)/(1 + ri/rj)*ri/real.R;
+                    p.wSpringJ = -p.wSpringI*ri/rj;
                     b.add(p);
                     b.evaluate(h);
                     const Vec3 rolled =
-                        real.R*(p.wHalfI - p.wHalfJ).cross(p.n)*h;
+                        real.R*(p.wSpringI - p.wSpringJ).cross(p.n)*h;
                     EXPECT_TRUE(near(rolled, Vec3(0, roll, 0), 1e-10*roll));
                     const Loads l = b.loads(0);
                     EXPECT_TRUE(near(l.torqueI, -p.n.cross(k*rolled), 1e-10*k*roll));
@@ -603,8 +607,8 @@ TEST(rolling, stiffnessAndLimit)
                     for (int step = 0; step < 3000; ++step) b.evaluate(h);
                     EXPECT_TRUE(close(b.loads(0).torqueI.z(), -k*critical, 1e-10));
                     // and unloads at once when it turns back
-                    p.wHalfI *= -1;
-                    p.wHalfJ *= -1;
+                    p.wSpringI *= -1;
+                    p.wSpringJ *= -1;
                     b.place(0, p);
                     b.evaluate(h);
                     EXPECT_TRUE(close(b.loads(0).torqueI.z(), -k*(critical - roll), 1e-9));
@@ -633,17 +637,17 @@ TEST(rolling, velocity)
         for (int sample = 0; sample < 20; ++sample)
         {
             Placed p{g.ri, g.rj, c.delta0(), n};
-            p.wHalfI = random.inBox(1e-4/h);
-            p.vHalfI = random.inBox(1e-10/h);
-            Vec3 wRel = p.wHalfI, vRel = p.vHalfI;
-            Vec3 arm = g.ri*p.wHalfI;
+            p.wSpringI = random.inBox(1e-4/h);
+            p.vSpringI = random.inBox(1e-10/h);
+            Vec3 wRel = p.wSpringI, vRel = p.vSpringI;
+            Vec3 arm = g.ri*p.wSpringI;
             if (g.rj > 0)
             {
-                p.wHalfJ = random.inBox(1e-4/h);
-                p.vHalfJ = random.inBox(1e-10/h);
-                wRel -= p.wHalfJ;
-                vRel -= p.vHalfJ;
-                arm += g.rj*p.wHalfJ;
+                p.wSpringJ = random.inBox(1e-4/h);
+                p.vSpringJ = random.inBox(1e-10/h);
+                wRel -= p.wSpringJ;
+                vRel -= p.vSpringJ;
+                arm += g.rj*p.wSpringJ;
             }
             const Vec3 slip = vRel - vRel.dot(n)*n + arm.cross(n);
             const Vec3 roll = (c.R*wRel.cross(n) + skew*slip)*h;
@@ -659,8 +663,8 @@ TEST(rolling, velocity)
     const double r = 1e-6, v = 1e-12/h;
     const formula::Contact c = law.contact(r, -1);
     Placed p{r, -1, c.delta0(), -Vec3::UnitZ()};
-    p.vHalfI = Vec3(v, 0, 0);
-    p.wHalfI = Vec3(0, v/r, 0);
+    p.vSpringI = Vec3(v, 0, 0);
+    p.wSpringI = Vec3(0, v/r, 0);
     ContactBench b(law);
     b.add(p);
     b.evaluate(h);
@@ -741,8 +745,8 @@ TEST(twisting, stiffnessDashpotAndLimit)
 
             // k_T a^2/2 = 4 G a^3, opposite moments along the line of centres
             Placed p{ri, rj, overlap};
-            p.wHalfI = Vec3(0.75*angle/h, 0, 0);
-            p.wHalfJ = Vec3(-0.25*angle/h, 0, 0);
+            p.wSpringI = Vec3(0.75*angle/h, 0, 0);
+            p.wSpringJ = Vec3(-0.25*angle/h, 0, 0);
             ContactBench b(law);
             b.add(p);
             b.evaluate(h);
@@ -773,13 +777,13 @@ TEST(twisting, stiffnessDashpotAndLimit)
             }
             const double cap =
                 3*formula::pi/16*radius*0.3*std::fabs(n.force + offset);
-            p.wHalfI = Vec3(1e4/h, 0, 0);
+            p.wSpringI = Vec3(1e4/h, 0, 0);
             b.place(0, p);
             b.evaluate(h);
             EXPECT_TRUE(close(b.loads(0).torqueI.x(), -cap, 1e-9));
             // unloads at once
-            p.wHalfJ = Vec3::Zero();
-            p.wHalfI = Vec3(-0.5*cap/k/h, 0, 0);
+            p.wSpringJ = Vec3::Zero();
+            p.wSpringI = Vec3(-0.5*cap/k/h, 0, 0);
             b.place(0, p);
             b.evaluate(h);
             EXPECT_TRUE(close(b.loads(0).torqueI.x(), -0.5*cap, 1e-8));
@@ -814,10 +818,10 @@ TEST(contactList, sideBySideAndOneByOneAgree)
                         random.uniform(law.normal == "JKR" ? -0.9*c.deltaC() : 1e-11, 1e-8),
                         random.direction()
                     };
-                    p.vHalfI = random.inBox(0.1);
-                    p.vHalfJ = wall ? Vec3(Vec3::Zero()) : random.inBox(0.1);
-                    p.wHalfI = random.inBox(1e5);
-                    p.wHalfJ = wall ? Vec3(Vec3::Zero()) : random.inBox(1e5);
+                    p.vSpringI = random.inBox(0.1);
+                    p.vSpringJ = wall ? Vec3(Vec3::Zero()) : random.inBox(0.1);
+                    p.wSpringI = random.inBox(1e5);
+                    p.wSpringJ = wall ? Vec3(Vec3::Zero()) : random.inBox(1e5);
                     p.vI = random.inBox(0.1);
                     p.wI = random.inBox(1e5);
                     together.add(p);
@@ -863,8 +867,8 @@ TEST(contactList, wallIsAHugeSphere)
         for (const double rj : {-1.0, huge})
         {
             Placed p{r, rj, overlap, -Vec3::UnitZ()};
-            p.vHalfI = Vec3(1e-3, 2e-3, 0);
-            p.wHalfI = Vec3(1e3, 2e3, 3e3);
+            p.vSpringI = Vec3(1e-3, 2e-3, 0);
+            p.wSpringI = Vec3(1e3, 2e3, 3e3);
             p.vI = Vec3(1e-3, 0, 2e-2);
             p.wI = Vec3(0, 2e3, 1e3);
             b.add(p);

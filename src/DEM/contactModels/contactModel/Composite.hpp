@@ -195,6 +195,7 @@ class Composite : public ContactLaw
                     loadReal<Real>(&list.history[hT + 2][k])
                 };
                 xi = turn(xi);
+                if constexpr (!Normal::elastic) xi = Tangential::kept(c + cT, normal)*xi;
                 const V3<Real> ft = Tangential::template evaluate<Real>
                 (
                     c + cT, pressed, normal.damping, normal.radius,
@@ -229,6 +230,7 @@ class Composite : public ContactLaw
                     loadReal<Real>(&list.history[hR + 2][k])
                 };
                 xi = turn(xi);
+                if constexpr (!Normal::elastic) xi = Rolling::kept(c + cR, normal)*xi;
                 V3<Real> M = Rolling::template evaluate<Real>
                 (
                     c + cR, normal, before*rollV, rollV, xi
@@ -255,6 +257,7 @@ class Composite : public ContactLaw
             {
                 const Real spinN = dot(wRel, n);
                 Real xi = loadReal<Real>(&list.history[hW][k]);
+                if constexpr (!Normal::elastic) xi = Twisting::kept(c + cW, normal)*xi;
                 Real moment = Twisting::template evaluate<Real>
                 (
                     c + cW, normal, twistingLimit,

@@ -13,7 +13,11 @@ struct NormalResponse
     Real radius;    // radius that carries the sliding and twisting stiffness [m]
     Real strength;  // (a/a0)^(3/2) [-], the growth of the rolling stiffness with load
     Real remaining; // [m]; negative: the contact has ended
-    Real buildUp = Real(0); // growth of the pull-off force by past loads [N]
+
+    // Laws that are not elastic only
+    Real buildUp = Real(0);         // growth of the pull-off force by past loads [N]
+    Real buildUpBefore = Real(0);   // at the last evaluation [N]
+    Real radiusKept = Real(1);      // radius at the last evaluation over radius [-]
 };
 
 //- Adhesionless restitution e -> beta = |ln e|/sqrt(ln^2 e + pi^2)

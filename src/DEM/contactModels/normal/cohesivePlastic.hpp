@@ -11,7 +11,9 @@
 //       restitution e:       K_R/e^2         (without attraction it rebounds with e v)
 //
 // a^2 = 2 R delta_max is the flattened spot, E' = s_f^(5/4) E. Contact begins at delta = 0
-// and ends there, and forgets. K_2 >= K_R: below delta = 2 (pi Y/E)^2 R (initial; 9/4 of that
+// and ends there, and forgets. Springs that stiffen as a and F_c grow keep their force, not
+// their displacement: that creates no energy.
+// K_2 >= K_R: below delta = 2 (pi Y/E)^2 R (initial; 9/4 of that
 // with average) the contact is elastic, else it would create energy. No dashpot unless dampingRatio
 // zeta [-] is given: eta_N = 2 zeta (m K_R)^(1/2), eta_T = eta_N. Sliding: k_T = 8 s_f^(5/4) G a, friction
 // presses with F_N + F_c. delta_max is the history.
@@ -186,11 +188,10 @@ struct cohesivePlastic
         const double overlap = speed*std::sqrt(s.m/K);
         const double a = std::sqrt(2*s.R*overlap);
         const double K2 = std::max(p.ratio*K, p.slope*s.pair.E*shearFactor(p)*a);
-        return
-        {
-            overlap,
-            speed > 0 ? 0.5*M_PI*(std::sqrt(s.m/K) + std::sqrt(s.m/K2)) : 0
-        };
+        // two quarters of a period, and the flattened part after the spring-back
+        const double quarters = 0.5*M_PI*(std::sqrt(s.m/K) + std::sqrt(s.m/K2));
+        const double flat = std::sqrt(s.m/K)*(1 - K/K2)*std::sqrt(K2/K);
+        return {overlap, speed > 0 ? quarters + flat : 0};
     }
 
     //- h[0] is delta_max [m]
@@ -201,13 +202,19 @@ struct cohesivePlastic
     )
     {
         const Real d = maximum(overlap, Real(0));
-        h[0] = maximum(h[0], d);
+        const Real before = h[0];
+        h[0] = maximum(before, d);
         const Real a = squareRoot(c[5]*h[0]);
         const Real unloading = maximum(c[4], c[3]*a);
         const Real most = c[0]*h[0];
         const Real repulsion = maximum(most - unloading*(h[0] - d), Real(0));
         const Real buildUp = c[2]*most;
-        return {repulsion - c[1] - buildUp, c[6], a, Real(0), overlap, buildUp};
+        return
+        {
+            repulsion - c[1] - buildUp, c[6], a, Real(0), overlap,
+            buildUp, c[2]*c[0]*before,
+            squareRoot(before/maximum(h[0], Real(1e-290)))
+        };
     }
 };
 

@@ -81,6 +81,14 @@ struct bending
     //- B_max [N m] of a contact that has not been loaded before
     static double yield(const double* c) { return 0.5*c[0]*c[1]*std::sqrt(c[0]); }
 
+    //- Share of xi that is kept where K_theta has grown: the moment stays
+    template<class Real>
+    [[gnu::always_inline]] static Real kept(const Real* c, const NormalResponse<Real>& normal)
+    {
+        return
+            (c[0] + normal.buildUpBefore)/maximum(c[0] + normal.buildUp, Real(1e-290));
+    }
+
     //- B_max [N m]
     template<class Real>
     [[gnu::always_inline]] static Real limit

@@ -15,6 +15,7 @@
 #pragma once
 
 #include "contactModels/contactModel/ContactScale.hpp"
+#include "contactModels/contactModel/NormalResponse.hpp"
 #include "contactModels/contactModel/PartInput.hpp"
 #include "contactModels/contactModel/Real.hpp"
 
@@ -56,6 +57,13 @@ struct springDashpotSlider
 
     //- k_T [N/m] at contact radius a
     static double stiffness(const double* c, double a) { return c[0]*a; }
+
+    //- Share of xi that is kept where k_T has grown: the force stays
+    template<class Real>
+    [[gnu::always_inline]] static Real kept(const Real*, const NormalResponse<Real>& normal)
+    {
+        return normal.radiusKept;
+    }
 
     //- mu |F_N + 2 F_C| [N]
     template<class Real>

@@ -67,6 +67,14 @@ struct cappedSpring
         c[3] = p.damping;
     }
 
+    //- Share of xi that is kept where K_phi has grown: the moment stays
+    template<class Real>
+    [[gnu::always_inline]] static Real kept(const Real* c, const NormalResponse<Real>& normal)
+    {
+        return
+            (c[1] + normal.buildUpBefore)/maximum(c[1] + normal.buildUp, Real(1e-290));
+    }
+
     //- Moment on i along n [N m]
     template<class Real>
     [[gnu::always_inline]] static Real evaluate

@@ -50,6 +50,13 @@ struct springDashpotSlider
         c[2] = 3*M_PI/16*r.radiusFactor;
     }
 
+    //- Share of xi that is kept where k_Q has grown: the moment stays
+    template<class Real>
+    [[gnu::always_inline]] static Real kept(const Real*, const NormalResponse<Real>& normal)
+    {
+        return normal.radiusKept*normal.radiusKept*normal.radiusKept;
+    }
+
     //- Moment on i along n [N m]
     template<class Real>
     [[gnu::always_inline]] static Real evaluate
