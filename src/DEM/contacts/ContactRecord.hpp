@@ -25,6 +25,7 @@ struct RestState
     double quietTime = 0;   // [s] for how long it has met the sleep criterion
     double force[3] = {};   // gas force at rest when it fell asleep [N]
     double wakeForce = 0;   // change of that force which wakes it [N]
+    double pullOff = 0;     // of its weakest contact then [N]
 };
 
 }

@@ -38,7 +38,7 @@ constexpr double speedMargin = 1.2;
 
 // Numbers per contact and per particle in a packed state
 constexpr std::size_t contactNumbers = 5 + maxHistory;
-constexpr std::size_t restNumbers = 7;
+constexpr std::size_t restNumbers = 8;
 
 }
 
@@ -203,7 +203,7 @@ void packRest
         to.end(),
         {
             double(rest.inContact), double(rest.resting), rest.quietTime,
-            rest.force[0], rest.force[1], rest.force[2], rest.wakeForce
+            rest.force[0], rest.force[1], rest.force[2], rest.wakeForce, rest.pullOff
         }
     );
     for (const ContactRecord& c : contacts)
@@ -228,6 +228,7 @@ void unpackRest
     rest.quietTime = from[2];
     std::copy(from + 3, from + 6, rest.force);
     rest.wakeForce = from[6];
+    rest.pullOff = from[7];
     from += restNumbers;
     contacts.resize(nContacts);
     for (ContactRecord& c : contacts)

@@ -26,6 +26,7 @@ constexpr std::size_t denseIsland = 256;
 constexpr double quietEnergy = 0.1;
 constexpr double quietForce = 0.1;
 constexpr double quietTorque = 0.02;
+constexpr double wakeForce = 1;
 constexpr double wakeForceChange = 0.1;
 constexpr double windowPeriods = 3;
 
@@ -141,6 +142,25 @@ std::vector<ContactRecord> IslandIntegrator::contacts(int i) const
 
 // * * * * * * * * * * * * * * * * * Contacts * * * * * * * * * * * * * * * * * * * * * //
 
+void IslandIntegrator::contactConstants(int i, int j, int materialJ, double* c) const
+{
+    const Particle& p = particles_[std::size_t(i)];
+    const int mi = p.material;
+    ContactScale scale{materials_.constants(mi, materialJ), p.radius, p.mass};
+    if (j >= 0)
+    {
+        const Particle& q = particles_[std::size_t(j)];
+        scale.R = p.radius*q.radius/(p.radius + q.radius);
+        scale.m = p.mass*q.mass/(p.mass + q.mass);
+        scale.skew = 0.5*(p.radius - q.radius)/(p.radius + q.radius);
+    }
+    materials_.laws()[std::size_t(materials_.lawIndex(mi, materialJ))]->prepare
+    (
+        materials_.pairInLaw(mi, materialJ), scale, c
+    );
+}
+
+
 void IslandIntegrator::begin
 (
     int i, int j, int patch, int candidate, const ContactRecord* record
@@ -174,18 +194,9 @@ void IslandIntegrator::begin
         e.invInertia = 1/bi.I + 1/bodies_[std::size_t(j)].I;
         candidates_[std::size_t(candidate)].touching = true;
     }
-    double skew = -0.5;
-    if (!wall)
-    {
-        const double ri = p.radius, rj = particles_[std::size_t(j)].radius;
-        skew = 0.5*(ri - rj)/(ri + rj);
-    }
-    double constants[maxConstants];
-    law.prepare
-    (
-        materials_.pairInLaw(p.material, mj), {pair, e.R, e.m, skew}, constants
-    );
     const int pairInLaw = materials_.pairInLaw(p.material, mj);
+    double constants[maxConstants];
+    contactConstants(i, j, mj, constants);
     e.neck = law.reach(pairInLaw, pair, e.R);
     e.pullOff = law.pullOff(pairInLaw, pair, e.R);
     e.a0 = law.equilibriumRadius(pairInLaw, pair, e.R);
@@ -250,6 +261,7 @@ void IslandIntegrator::store(const ContactList& list, std::size_t k, bool wall)
         s.record.history[h] = list.history[h][k];
     }
     stored_[std::size_t(list.i[k])].push_back(s);
+    if (!wall) holders_[std::size_t(s.j)].push_back(list.i[k]);
 }
 
 
@@ -272,30 +284,31 @@ int IslandIntegrator::findCandidate(int i, int j) const
 }
 
 
-//- Put the stored contacts of awake particles into the lists
+//- Put the stored contacts of particle i that are not between two at rest into the lists
+void IslandIntegrator::activateStored(std::size_t i)
+{
+    std::size_t kept = 0;
+    for (std::size_t s = 0; s < stored_[i].size(); ++s)
+    {
+        const Stored c = stored_[i][s];
+        if (rest_[i].resting && (c.j < 0 || rest_[std::size_t(c.j)].resting))
+        {
+            stored_[i][kept++] = c;
+            continue;
+        }
+        begin
+        (
+            int(i), c.j, c.record.wall, c.j >= 0 ? findCandidate(int(i), c.j) : -1,
+            &c.record
+        );
+    }
+    stored_[i].resize(kept);
+}
+
+
 void IslandIntegrator::activateStored()
 {
-    for (std::size_t i = 0; i < stored_.size(); ++i)
-    {
-        if (stored_[i].empty()) continue;
-        std::size_t kept = 0;
-        for (std::size_t s = 0; s < stored_[i].size(); ++s)
-        {
-            const Stored& c = stored_[i][s];
-            if (rest_[i].resting && (c.j < 0 || rest_[std::size_t(c.j)].resting))
-            {
-                stored_[i][kept++] = c;
-                continue;
-            }
-            int candidate = -1;
-            if (c.j >= 0)
-            {
-                candidate = findCandidate(int(i), c.j);
-            }
-            begin(int(i), c.j, c.record.wall, candidate, &c.record);
-        }
-        stored_[i].resize(kept);
-    }
+    for (std::size_t i = 0; i < stored_.size(); ++i) activateStored(i);
 }
 
 
@@ -303,6 +316,7 @@ void IslandIntegrator::activateStored()
 bool IslandIntegrator::endMarked(StepReport& report)
 {
     bool any = false;
+    std::vector<int> alone;     // at rest, with one contact less
     for (std::size_t l = 0; l < lists_.size(); ++l)
     {
         const ContactLaw& law = *materials_.laws()[l];
@@ -323,12 +337,23 @@ bool IslandIntegrator::endMarked(StepReport& report)
                         list, k, k + 1, bodies_.data(), loads_.data(), {0, -0.5*ahead_, 0}, -1, periodic_
                     );
                 }
+                const int partners[2] = {list.i[k], wall ? -1 : list.j[k]};
                 remove(list, k);
                 ++report.separations;
                 any = true;
+                for (const int p : partners)
+                {
+                    if (p >= 0 && rest_[std::size_t(p)].resting) alone.push_back(p);
+                }
             }
         }
     }
+    for (const int p : alone)
+    {
+        if (rest_[std::size_t(p)].resting) wake(p, report);
+    }
+    if (any) findBoundary();
+    if (!alone.empty()) updateWalls();
     return any;
 }
 
@@ -341,33 +366,13 @@ bool IslandIntegrator::form(StepReport& report)
     before.clear();
     for (const LawLists& l : lists_) before.push_back({l.pairs.size(), l.walls.size()});
 
-    // waking changes near_, so look first
-    static thread_local std::vector<int> met;
-    met.clear();
-    for (const int c : near_)
-    {
-        if (!candidates_[std::size_t(c)].touching && meets(candidates_[std::size_t(c)]))
-        {
-            met.push_back(c);
-        }
-    }
-
     bool any = false;
-    bool woken = false;
-    for (const int c : met)
+    for (std::size_t k = 0; k < near_.size(); ++k)
     {
-        const int i = candidates_[std::size_t(c)].i, j = candidates_[std::size_t(c)].j;
-        for (const int k : {i, j})
-        {
-            if (rest_[std::size_t(k)].resting)
-            {
-                wakeCluster(k, report);
-                woken = true;
-            }
-        }
-        // the waking may have brought this very contact back from rest
-        if (candidates_[std::size_t(c)].touching) continue;
-        begin(i, j, -1, c, nullptr);
+        const int c = near_[k];
+        const Candidate& pair = candidates_[std::size_t(c)];
+        if (pair.touching || !meets(pair)) continue;
+        begin(pair.i, pair.j, -1, c, nullptr);
         ++report.touches;
         any = true;
     }
@@ -399,13 +404,9 @@ bool IslandIntegrator::form(StepReport& report)
         }
     }
 
-    if (woken)
+    if (any)
     {
-        updateWalls();
-        evaluate({0, -0.5*ahead_, 0.5*ahead_}, report);
-    }
-    else if (any)
-    {
+        findBoundary();
         for (std::size_t l = 0; l < lists_.size(); ++l)
         {
             const ContactLaw& law = *materials_.laws()[l];
@@ -425,42 +426,136 @@ bool IslandIntegrator::form(StepReport& report)
 }
 
 
-void IslandIntegrator::wakeCluster(int first, StepReport& report)
+//- Loads are as they were: what the frozen contacts gave, they go on giving
+void IslandIntegrator::wake(int first, StepReport& report)
 {
-    // all that is connected with it by stored contacts
-    std::vector<std::vector<int>> partners(particles_.size());
-    for (std::size_t i = 0; i < stored_.size(); ++i)
-    {
-        for (const Stored& s : stored_[i])
-        {
-            if (s.j < 0) continue;
-            partners[i].push_back(s.j);
-            partners[std::size_t(s.j)].push_back(int(i));
-        }
-    }
+    const std::size_t i = std::size_t(first);
+    rest_[i].resting = false;
+    rest_[i].quietTime = 0;
+    awake_.insert(std::lower_bound(awake_.begin(), awake_.end(), first), first);
+    ++report.wakes;
+    flightStep_ = -1;
 
-    std::vector<int> queue{first};
-    rest_[std::size_t(first)].resting = false;
-    for (std::size_t k = 0; k < queue.size(); ++k)
+    activateStored(i);
+    std::vector<int> holders;
+    holders.swap(holders_[i]);
+    for (const int h : holders) activateStored(std::size_t(h));
+    refreshNear();
+}
+
+
+//- Wake those at the boundary that are loaded too much
+void IslandIntegrator::wakeLoaded(StepReport& report)
+{
+    std::vector<int> loaded;
+    for (const int i : boundary_)
     {
-        const std::size_t i = std::size_t(queue[k]);
-        rest_[i].quietTime = 0;
-        loads_[i] = Load{};
-        awake_.push_back(int(i));
-        ++report.wakes;
-        for (const int j : partners[i])
+        const std::size_t k = std::size_t(i);
+        const double limit = time_.restTolerance*wakeForce*rest_[k].pullOff;
+        const double r = bodies_[k].r;
+        if
+        (
+            (vec(loads_[k].f) + gasForceAtRest(gas_[k])).squaredNorm() > limit*limit
+         || vec(loads_[k].t).squaredNorm() > limit*limit*r*r
+        ) loaded.push_back(i);
+    }
+    if (loaded.empty()) return;
+    for (const int i : loaded) wake(i, report);
+    findBoundary();
+    updateWalls();
+}
+
+
+//- Resting particles that share a contact with an awake one, and what rests on them
+void IslandIntegrator::findBoundary()
+{
+    boundary_.clear();
+    if (awake_.size() == particles_.size()) return;
+    for (const LawLists& l : lists_)
+    {
+        for (std::size_t k = 0; k < l.pairs.size(); ++k)
         {
-            if (rest_[std::size_t(j)].resting)
+            for (const int p : {l.pairs.i[k], l.pairs.j[k]})
             {
-                rest_[std::size_t(j)].resting = false;
-                queue.push_back(j);
+                if (rest_[std::size_t(p)].resting) boundary_.push_back(p);
             }
         }
     }
-    std::sort(awake_.begin(), awake_.end());
-    flightStep_ = -1;
-    activateStored();
-    refreshNear();
+    std::sort(boundary_.begin(), boundary_.end());
+    boundary_.erase(std::unique(boundary_.begin(), boundary_.end()), boundary_.end());
+    for (const int i : boundary_) frozen_[std::size_t(i)] = storedLoad(i);
+}
+
+
+//- Sum of the loads of the stored contacts of particle i
+Load IslandIntegrator::storedLoad(int i)
+{
+    Load sum{};
+    const auto add = [&](int lower, const Stored& s)
+    {
+        const bool wall = s.j < 0;
+        const Particle& p = particles_[std::size_t(lower)];
+        const int mj =
+            wall
+          ? wallSearch_.walls().patches[std::size_t(s.record.wall)].material
+          : particles_[std::size_t(s.j)].material;
+        const ContactLaw& law =
+            *materials_.laws()[std::size_t(materials_.lawIndex(p.material, mj))];
+        double c[maxConstants];
+        contactConstants(lower, s.j, mj, c);
+
+        scratch_.setUp(law.nConstants(), law.nHistory(), wall);
+        scratch_.append(0, wall ? s.record.wall : 1, 0, c, s.record.history);
+        const Body bodies[2] =
+        {
+            bodies_[std::size_t(lower)], bodies_[std::size_t(wall ? lower : s.j)]
+        };
+        Load loads[2] = {};
+        if (wall)
+        {
+            const Vec3 old = vec(s.record.n);
+            std::vector<WallHit> hits;
+            const std::size_t k = std::size_t(lower);
+            const std::size_t first = k ? surfaceEnd_[k - 1] : 0;
+            wallSearch_.hits
+            (
+                vec(bodies[0].x), bodies[0].r + reach_[k], surfaces_.data() + first,
+                surfaceEnd_[k] - first, hits
+            );
+            double best = sameNormal;
+            for (const WallHit& h : hits)
+            {
+                const double alike = h.n.dot(old);
+                if (h.patch != s.record.wall || alike < best) continue;
+                best = alike;
+                scratch_.nx[0] = h.n[0];
+                scratch_.ny[0] = h.n[1];
+                scratch_.nz[0] = h.n[2];
+                scratch_.overlap[0] = bodies[0].r - h.distance;
+            }
+            law.evaluateWalls(scratch_, 0, 1, bodies, loads, {}, 1);
+        }
+        else
+        {
+            law.evaluatePairs(scratch_, 0, 1, bodies, loads, {}, 1, periodic_);
+        }
+        const Load& mine = loads[lower == i ? 0 : 1];
+        for (int d = 0; d < 3; ++d)
+        {
+            sum.f[d] += mine.f[d];
+            sum.t[d] += mine.t[d];
+        }
+    };
+
+    for (const Stored& s : stored_[std::size_t(i)]) add(i, s);
+    for (const int h : holders_[std::size_t(i)])
+    {
+        for (const Stored& s : stored_[std::size_t(h)])
+        {
+            if (s.j == i) add(h, s);
+        }
+    }
+    return sum;
 }
 
 
@@ -639,6 +734,7 @@ void IslandIntegrator::setFlight(double h)
 void IslandIntegrator::evaluate(const SpringStep& step, StepReport& report)
 {
     for (const int i : awake_) loads_[std::size_t(i)] = Load{};
+    for (const int i : boundary_) loads_[std::size_t(i)] = frozen_[std::size_t(i)];
     for (std::size_t l = 0; l < lists_.size(); ++l)
     {
         const ContactLaw& law = *materials_.laws()[l];
@@ -989,7 +1085,8 @@ void IslandIntegrator::checkRest(double elapsed, StepReport& report)
             for (std::size_t k = 0; k < list.size(); ++k)
             {
                 const Entry& e = entries_[std::size_t(list.tag[k])];
-                const double delta = e.a0*e.a0/(3*e.R);
+                // delta_C = a0^2/(2 6^(1/3) R), also for laws without a neck
+                const double delta = 0.27516*e.a0*e.a0/e.R;
                 const int partners[2] = {list.i[k], wall ? -1 : list.j[k]};
                 for (const int p : partners)
                 {
@@ -1039,40 +1136,45 @@ void IslandIntegrator::checkRest(double elapsed, StepReport& report)
     if (!due) return;
     prepareSprings(0);
 
-    // clusters: a member that is not quiet, or no wall, keeps all awake
-    std::vector<int> root(particles_.size());
-    for (std::size_t i = 0; i < root.size(); ++i) root[i] = int(i);
-    const auto find = [&](int i)
-    {
-        while (root[std::size_t(i)] != i) i = root[std::size_t(i)] = root[std::size_t(root[std::size_t(i)])];
-        return i;
-    };
-    std::vector<char> held(particles_.size(), 0);
-    for (const LawLists& l : lists_)
-    {
-        for (std::size_t k = 0; k < l.pairs.size(); ++k)
-        {
-            const int a = find(l.pairs.i[k]), b = find(l.pairs.j[k]);
-            root[std::size_t(std::max(a, b))] = std::min(a, b);
-        }
-    }
-    for (const LawLists& l : lists_)
-    {
-        for (std::size_t k = 0; k < l.walls.size(); ++k)
-        {
-            held[std::size_t(find(l.walls.i[k]))] = 1;
-        }
-    }
+    // who is quiet and holds on to a wall or to one at rest, by quiet ones if need be
+    std::vector<char> quiet(particles_.size(), 0), held(particles_.size(), 0);
+    std::vector<int> queue;
     for (const int i : awake_)
     {
-        if (rest_[std::size_t(i)].quietTime < window) held[std::size_t(find(i))] = 0;
+        quiet[std::size_t(i)] = rest_[std::size_t(i)].quietTime >= window;
+    }
+    const auto hold = [&](int i)
+    {
+        if (!quiet[std::size_t(i)] || held[std::size_t(i)]) return;
+        held[std::size_t(i)] = 1;
+        queue.push_back(i);
+    };
+    std::vector<std::vector<int>> partners(particles_.size());
+    for (const LawLists& l : lists_)
+    {
+        for (std::size_t k = 0; k < l.walls.size(); ++k) hold(l.walls.i[k]);
+        for (std::size_t k = 0; k < l.pairs.size(); ++k)
+        {
+            const int i = l.pairs.i[k], j = l.pairs.j[k];
+            if (rest_[std::size_t(i)].resting) hold(j);
+            if (rest_[std::size_t(j)].resting) hold(i);
+            if (quiet[std::size_t(i)] && quiet[std::size_t(j)])
+            {
+                partners[std::size_t(i)].push_back(j);
+                partners[std::size_t(j)].push_back(i);
+            }
+        }
+    }
+    for (std::size_t k = 0; k < queue.size(); ++k)
+    {
+        for (const int j : partners[std::size_t(queue[k])]) hold(j);
     }
 
     std::size_t kept = 0;
     for (const int i : awake_)
     {
         const std::size_t k = std::size_t(i);
-        if (!held[std::size_t(find(i))])
+        if (!held[k])
         {
             awake_[kept++] = i;
             continue;
@@ -1089,6 +1191,7 @@ void IslandIntegrator::checkRest(double elapsed, StepReport& report)
         const Vec3 gasForce = gasForceAtRest(gas_[k]);
         for (int d = 0; d < 3; ++d) rest.force[d] = gasForce[d];
         const Weakest& w = weakest_[k];
+        rest.pullOff = w.pullOff;
         rest.wakeForce =
             time_.restTolerance*wakeForceChange
            *(w.yield > 0 ? std::min(w.pullOff, w.yield/b.r) : w.pullOff);
@@ -1104,7 +1207,11 @@ void IslandIntegrator::checkRest(double elapsed, StepReport& report)
             ContactList& list = wall ? l.walls : l.pairs;
             for (std::size_t k = list.size(); k-- > 0;)
             {
-                if (!rest_[std::size_t(list.i[k])].resting) continue;
+                if
+                (
+                    !rest_[std::size_t(list.i[k])].resting
+                 || (!wall && !rest_[std::size_t(list.j[k])].resting)
+                ) continue;
                 store(list, k, wall);
                 const int candidate = entries_[std::size_t(list.tag[k])].candidate;
                 remove(list, k);
@@ -1114,6 +1221,7 @@ void IslandIntegrator::checkRest(double elapsed, StepReport& report)
         }
     }
     refreshNear();
+    findBoundary();
 }
 
 
@@ -1172,7 +1280,16 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
         if (!rest_[i].resting) awake_.push_back(int(i));
     }
 
+    frozen_.resize(n);
+    holders_.assign(n, {});
     activateStored();
+    for (std::size_t i = 0; i < n; ++i)
+    {
+        for (const Stored& s : stored_[i])
+        {
+            if (s.j >= 0) holders_[std::size_t(s.j)].push_back(int(i));
+        }
+    }
     for (Candidate& c : candidates_)
     {
         if (!rest_[std::size_t(c.i)].resting) continue;
@@ -1196,8 +1313,9 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
     refreshNear();
     for (std::size_t i = 0; i < n; ++i)
     {
-        if (rest_[i].resting && wakes(rest_[i], gas_[i])) wakeCluster(int(i), report);
+        if (rest_[i].resting && wakes(rest_[i], gas_[i])) wake(int(i), report);
     }
+    findBoundary();
 
     updateWalls();
     evaluate({}, report);
@@ -1271,6 +1389,7 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
         step(now, std::min(h, left - now), report);
         t = now < left ? t + now : dt;
 
+        wakeLoaded(report);
         bool event = endMarked(report);
         event = form(report) || event;
         if (event && exactEvents_) looked = lookInterval;

