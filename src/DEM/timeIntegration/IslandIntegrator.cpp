@@ -1374,9 +1374,9 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
         }
         else
         {
-            // touch within 1e-7 radii
+            // touch within 1e-9 radii
             const double floor =
-                1e-7*smallest_/std::max({fastest_, speedBound, 1e-300});
+                1e-9*smallest_/std::max({fastest_, speedBound, 1e-300});
             now = std::min(left, std::max(timeToTouch(false), floor));
             looked = lookInterval;
             sinceLook = 0;

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <utility>
 
 namespace dem
 {
@@ -111,7 +110,6 @@ WallSearch::WallSearch(Walls walls)
         );
     };
     std::map<Vec3, int, decltype(less)> vertices(less);
-    std::map<std::pair<int, int>, std::pair<int, int>> edges;
 
     for (std::size_t k = 0; k < n; ++k)
     {
@@ -136,25 +134,6 @@ WallSearch::WallSearch(Walls walls)
         {
             topo.vertex[std::size_t(c)] =
                 vertices.emplace(*corner[c], int(vertices.size())).first->second;
-        }
-        for (int c = 0; c < 3; ++c)
-        {
-            topo.neighbour[std::size_t(c)] = -1;
-            int p = topo.vertex[std::size_t(c)];
-            int q = topo.vertex[std::size_t((c + 1)%3)];
-            if (p > q) std::swap(p, q);
-            const auto found = edges.find({p, q});
-            if (found == edges.end())
-            {
-                edges[{p, q}] = {int(k), c};
-            }
-            else
-            {
-                const auto other = found->second;
-                topo.neighbour[std::size_t(c)] = other.first;
-                topology_[std::size_t(other.first)]
-                    .neighbour[std::size_t(other.second)] = int(k);
-            }
         }
     }
 
@@ -379,34 +358,26 @@ void WallSearch::hits
     for (const Local& l : local)
     {
         const Topology& topo = topology_[std::size_t(l.triangle)];
-        bool minimum = true;
+        // seen from behind, it is some other surface's back
+        bool minimum = l.front;
 
-        if (l.feature == face)
+        if (l.feature != face)
         {
-            // seen from behind, it is some other surface's back
-            minimum = l.front;
-        }
-        else if (l.feature <= edgeCA)
-        {
-            const int other = topo.neighbour[std::size_t(l.feature - edgeAB)];
-            for (const Local& o : local)
-            {
-                if (o.triangle != other) continue;
-                minimum = minimum && !outdoes(o, l);
-            }
-        }
-        else
-        {
-            const int vertex = topo.vertex[std::size_t(l.feature - vertexA)];
+            // the corners that its edge, or its corner, has
+            const bool edge = l.feature <= edgeCA;
+            const std::size_t first = std::size_t(l.feature - (edge ? edgeAB : vertexA));
+            const int p = topo.vertex[first];
+            const int q = edge ? topo.vertex[(first + 1)%3] : p;
             for (const Local& o : local)
             {
                 const auto& v = topology_[std::size_t(o.triangle)].vertex;
-                if
-                (
-                    o.triangle == l.triangle
-                 || (v[0] != vertex && v[1] != vertex && v[2] != vertex)
-                ) continue;
-                minimum = minimum && !outdoes(o, l);
+                const bool shares =
+                    (v[0] == p || v[1] == p || v[2] == p)
+                 && (v[0] == q || v[1] == q || v[2] == q);
+                if (o.triangle != l.triangle && shares)
+                {
+                    minimum = minimum && !outdoes(o, l);
+                }
             }
         }
 

@@ -60,7 +60,6 @@ private:
     struct Topology
     {
         std::array<int, 3> vertex;
-        std::array<int, 3> neighbour;   // across edges ab, bc, ca; -1 = open
         Vec3 normal;
     };
 

@@ -227,7 +227,11 @@ TEST(bending, combinations)
     for (const dem::PartEntry& r : dem::contactModelTable())
     for (const dem::PartEntry& w : dem::contactModelTable())
     {
-        if (n.kind != "normal" || t.kind != "tangential" || r.kind != "rolling" || w.kind != "twisting")
+        if
+        (
+            n.kind != "normal" || t.kind != "tangential"
+         || r.kind != "rolling" || w.kind != "twisting"
+        )
         {
             continue;
         }

@@ -414,7 +414,11 @@ TEST(cohesivePlastic, input)
         s.normal.values["unloading"] = 2;
     });
     EXPECT_TRUE(has(e.reason, "number") && has(e.allowed, "initial")) << e.what();
-    e = refusal([](Settings& s) { s.normal.words["yieldStrength"] = "high"; s.normal.values.erase("yieldStrength"); });
+    e = refusal([](Settings& s)
+    {
+        s.normal.values.erase("yieldStrength");
+        s.normal.words["yieldStrength"] = "high";
+    });
     EXPECT_TRUE(has(e.reason, "high")) << e.what();
     // K_2 < K_R
     e = refusal([](Settings& s) { s.normal.words.clear(); s.normal.values["restitution"] = 1.1; });

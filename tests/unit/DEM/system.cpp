@@ -290,13 +290,14 @@ TEST(rest, wakesWhenHit)
     const double r = 1e-6;
     const auto system = stuckSphere(law, r);
     ASSERT_TRUE(system->resting(0));
-    system->add(sphere(law, 2, r, Vec3(0.3*r, 0, 4*r), Vec3(0, 0, -1)));
+    // fast enough to load it with more than F_C
+    system->add(sphere(law, 2, r, Vec3(0.3*r, 0, 4*r), Vec3(0, 0, -10)));
     // on its way it wakes nobody
-    dem::StepReport report = system->advance(0.5e-6);
+    dem::StepReport report = system->advance(0.05e-6);
     EXPECT_EQ(report.wakes, 0);
     EXPECT_TRUE(system->resting(0));
     report = dem::StepReport();
-    for (int k = 0; k < 10; ++k) report.add(system->advance(0.2e-6));
+    for (int k = 0; k < 10; ++k) report.add(system->advance(0.02e-6));
     EXPECT_GE(report.wakes, 1);
     EXPECT_GE(report.touches, 1);
     EXPECT_NE(system->particle(0).v, Vec3::Zero());
@@ -351,22 +352,30 @@ TEST(rest, wakesWhenMovedFromOutside)
 }
 
 
-TEST(rest, theWholeClusterWakes)
+TEST(rest, wakingSpreadsAsFarAsTheLoad)
 {
-    // a stack of two at rest; the lower one feels the gas, both wake
+    // a stack of two at rest; the gas pulls at the lower one. A small pull wakes it alone; one
+    // that tears it off the wall wakes the upper one as well
     const Law law = scene::stickyLaw();
     const double r = 1e-6;
-    const auto system = stuckSphere(law, r);
-    system->add(sphere(law, 2, r, Vec3(0, 0, 3.01*r), Vec3(0, 0, -0.2)));
-    for (int k = 0; k < 400 && !(system->resting(0) && system->resting(1)); ++k)
+    for (const double pull : {0.3, 3.0})
     {
-        system->advance(1e-7);
+        const auto system = stuckSphere(law, r);
+        system->add(sphere(law, 2, r, Vec3(0, 0, 3.01*r), Vec3(0, 0, -0.2)));
+        for (int k = 0; k < 400 && !(system->resting(0) && system->resting(1)); ++k)
+        {
+            system->advance(1e-7);
+        }
+        ASSERT_TRUE(system->resting(0) && system->resting(1));
+        dem::GasLoad g;
+        g.Su = Vec3(0, 0, pull*law.contact(r, -1).pullOff());
+        system->setGasLoad(0, g);
+        EXPECT_EQ(system->advance(1e-8).wakes, 1);
+        EXPECT_FALSE(system->resting(0));
+        EXPECT_TRUE(system->resting(1));
+        for (int k = 0; k < 20; ++k) system->advance(1e-7);
+        EXPECT_EQ(system->resting(1), pull < 1);
     }
-    ASSERT_TRUE(system->resting(0) && system->resting(1));
-    dem::GasLoad g;
-    g.Su = Vec3(0, 0, 0.5*law.contact(r, -1).pullOff());
-    system->setGasLoad(0, g);
-    EXPECT_EQ(system->advance(1e-8).wakes, 2);
 }
 
 

@@ -154,12 +154,11 @@ TEST(pullOff, displacementControlReachesTheNecksEnd)
     // drawn apart at constant slow speed by two heavy spheres: the tension passes F_C and
     // falls to (5/9) F_C where the contact ends, at -delta_C
     Law law;
-    law.density *= 1e6;     // inertia holds the speed
+    law.restitution = 1;
     const formula::Contact c = law.contact(r, r);
     dem::System system(law.table(), neverRests());
-    const double speed = 1e-4*std::sqrt(c.pullOff()*c.deltaC()/c.m);
     // fast enough to keep its speed against the attraction
-    const double v = 1e2*std::sqrt(2*c.pullOff()*c.deltaC()/c.m) + speed;
+    const double v = 1e2*std::sqrt(2*c.pullOff()*c.deltaC()/c.m);
     system.add(sphere(law, 1, r, Vec3::Zero(), Vec3(-v/2, 0, 0)));
     system.add(sphere(law, 2, r, Vec3(2*r - c.delta0(), 0, 0), Vec3(v/2, 0, 0)));
     const double path = c.delta0() + c.deltaC();
@@ -170,14 +169,13 @@ TEST(pullOff, displacementControlReachesTheNecksEnd)
         const auto contacts = system.contacts();
         if (contacts.empty()) break;
         last = contacts[0].overlap;
-        const double damping =
-            formula::normal("JKR", c, last, law.restitution).damping*v;
-        lastForce = contacts[0].force.x() - damping;
+        lastForce = contacts[0].force.x();
         greatest = std::max(greatest, lastForce);
     }
     EXPECT_TRUE(system.contacts().empty());
     EXPECT_TRUE(close(last, -c.deltaC(), 3e-3));
-    EXPECT_TRUE(close(greatest, c.pullOff(), 1e-2));
+    EXPECT_TRUE(close(greatest, c.pullOff(), 1e-5));
+    // the last steps of the neck have an infinite slope
     EXPECT_GT(lastForce, 5.0/9.0*c.pullOff());
     EXPECT_LT(lastForce, 0.65*c.pullOff());
 }

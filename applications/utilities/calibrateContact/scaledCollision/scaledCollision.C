@@ -138,7 +138,7 @@ Foam::scaledCollision::result Foam::scaledCollision::collide
         return -(s3*s3 - s3) - alpha*damping*y.u;
     };
 
-    // Hertz: q_max^(5/2) = (15/16) V^2/2 4 ... its order is enough here
+    // Hertz: the peak goes as V^(4/5); its order is enough here
     const scalar scaleQ = 1 + std::pow(V, 0.8);
     const scalar tolerance = 1e-11;
     const scalar time = scaleQ/V;
@@ -159,9 +159,9 @@ Foam::scaledCollision::result Foam::scaledCollision::collide
             continue;
         }
         const bool left = next.u < 0 && next.q < end;
-        if (left && h > smallest)
+        if (left && h > smallest && end - next.q > 1e-13*scaleQ)
         {
-            // close in on the end
+            // close in on the end, as far as round-off lets one see it
             h = std::max(smallest, 0.5*h);
             continue;
         }

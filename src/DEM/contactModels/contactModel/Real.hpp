@@ -91,7 +91,7 @@ template<class Real>
     const V3<Real>& spring, const V3<Real>& n, const V3<Real>& dn, const Real& twist
 )
 {
-    const V3<Real> t = spring + twist*cross(n, spring);
+    const V3<Real> t = (Real(1) - Real(0.5)*twist*twist)*spring + twist*cross(n, spring);
     return t - dot(t, n)*(n - Real(0.5)*dn);
 }
 

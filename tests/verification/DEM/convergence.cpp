@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Order of convergence in the contact step, 10 to 1000 steps per contact, against an
+// independent integration of high order; error and run time as a table (convergence.csv).
+//
+// The scheme is of second order where the force is smooth. Two things are not: the dashpot of
+// all laws but JKR is proportional to overlap^(1/4) and begins with an infinite slope
+// (order 5/4), and the last steps of JKR's neck, where dF/d(overlap) grows without limit.
+#include "impact.hpp"
+
+#include <chrono>
+#include <fstream>
+
+using scene::Law;
+using dem::Vec3;
+
+namespace
+{
+
+constexpr double r = 1e-6;
+
+const double stepCounts[] = {10, 20, 50, 100, 200, 500, 1000};
+
+//- Normal and tangential motion of a sphere on a wall with a sliding spring that holds:
+//  overlap, closing speed, slip, spring, spin
+struct Oblique
+{
+    double normalSpeed, tangentialSpeed, spin;  // after
+};
+
+Oblique exactOblique(const Law& law, double vn, double vt, double spin)
+{
+    const formula::Contact c = law.contact(r, -1);
+    const double inertia = 0.4*c.m*r*r;
+    const bool jkr = law.normal == "JKR";
+    const double end = formula::endOverlap(law.normal, c);
+    const double ratio = std::sqrt(8*c.G/(2*c.E));
+    formula::Ode<5> ode;    // overlap, closing speed, tangential speed, spin, spring
+    ode.rate = [&](double, const std::array<double, 5>& y)
+    {
+        const formula::Normal n =
+            formula::normal(law.normal, c, std::max(y[0], end), law.restitution);
+        const double eta = (jkr ? 1 : ratio)*n.damping;
+        const double slip = y[2] - r*y[3];
+        const double force = -8*c.G*n.radius*y[4] - eta*slip;
+        return std::array<double, 5>
+        {
+            y[1], -(n.force + n.damping*y[1])/c.m, force/c.m, -r*force/inertia, slip
+        };
+    };
+    const double peak = std::pow(15.0/16.0*c.m*vn*vn/(c.E*std::sqrt(r)), 0.4) + c.delta0();
+    ode.scale = {peak, vn, vn, vn/r, peak};
+    std::array<double, 5> y{0, vn, vt, spin, 0};
+    const double time = 3*peak/vn;
+    ode.solve(y, 0, 10*time, 1e-6*time, [&](const auto& z) { return z[1] < 0 && z[0] < end; });
+    return {-y[1], y[2], y[3]};
+}
+
+Law lawOf(const std::string& normal, double restitution)
+{
+    Law law;
+    law.normal = normal;
+    law.restitution = restitution;
+    law.friction = 10;      // never slides
+    if (normal == "Hertz") law.gamma = 0;
+    return law;
+}
+
+//- Slope of log(error) over log(steps) between two rows
+double order(const std::vector<double>& errors, std::size_t first, std::size_t last)
+{
+    return
+       -std::log(errors[last]/errors[first])
+       /std::log(stepCounts[last]/stepCounts[first]);
+}
+
+}
+
+
+TEST(convergence, orderOfEveryLaw)
+{
+    std::ofstream csv("convergence.csv");
+    csv << "law,restitution,steps,error_normal,error_tangential,runTime_ratio\n";
+    const double vn = 8, vt = 3, spin = -2e5;
+    for (const char* normal : {"Hertz", "simplifiedJKR", "JKR", "DMT"})
+    {
+        for (const double e : {1.0, 0.7})
+        {
+            SCOPED_TRACE(std::string(normal) + " restitution " + scene::text(e));
+            const Law law = lawOf(normal, e);
+            const Oblique exact = exactOblique(law, vn, vt, spin);
+            std::vector<double> errorN, errorT, seconds;
+            for (const double steps : stepCounts)
+            {
+                // mean over impacts a little different, so that no error vanishes by chance
+                double sumN = 0, sumT = 0;
+                const int samples = 9;
+                const auto start = std::chrono::steady_clock::now();
+                for (int k = 0; k < samples; ++k)
+                {
+                    const double s = steps*(1 + 0.02*(k - samples/2));
+                    const scene::Impact i = scene::impact
+                    (
+                        law, r, Vec3(vt, 0, -vn), Vec3(0, spin, 0), s
+                    );
+                    ASSERT_TRUE(i.left);
+                    sumN += std::pow(i.v.z() - exact.normalSpeed, 2);
+                    sumT += std::pow(i.v.x() - exact.tangentialSpeed, 2);
+                }
+                seconds.push_back
+                (
+                    std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()
+                );
+                errorN.push_back(std::sqrt(sumN/samples)/vn);
+                errorT.push_back(std::sqrt(sumT/samples)/vn);
+                csv << normal << ',' << e << ',' << steps << ',' << errorN.back() << ','
+                    << errorT.back() << ',' << seconds.back()/seconds[0] << '\n';
+                std::printf
+                (
+                    "%s,%g,%g,%.3e,%.3e,%.2f\n", normal, e, steps, errorN.back(),
+                    errorT.back(), seconds.back()/seconds[0]
+                );
+            }
+            const double n = order(errorN, 2, 6), t = order(errorT, 2, 6);
+            std::printf("# %s %g: order %.2f normal, %.2f tangential\n", normal, e, n, t);
+            const bool smooth = e == 1 || std::string(normal) == "JKR";
+            EXPECT_GT(n, smooth ? 1.7 : 1.15);
+            EXPECT_GT(t, smooth ? 1.7 : 1.15);
+            // and small in absolute terms where users run
+            EXPECT_LT(errorN[2], 6e-3);
+            EXPECT_LT(errorT[2], 2e-2);
+        }
+    }
+}
