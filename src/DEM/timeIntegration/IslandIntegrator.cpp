@@ -1327,6 +1327,7 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
     const int lookInterval = exactEvents_ ? stepsBetweenLooks : stepsBetweenLooksDense;
     double t = 0, h = 0, sinceLook = 0;
     int looked = lookInterval, shortened = 0;
+    double nearTouch = 0;
     std::int64_t flights = 0;
     while (t < dt && !awake_.empty())
     {
@@ -1374,10 +1375,14 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
         }
         else
         {
-            // touch within 1e-9 radii
-            const double floor =
-                1e-9*smallest_/std::max({fastest_, speedBound, 1e-300});
-            now = std::min(left, std::max(timeToTouch(false), floor));
+            // Near a touch go on by thousandths of the contact step that would follow
+            now = timeToTouch(false);
+            if (now < 1e-6*smallest_/std::max({fastest_, speedBound, 1e-300}))
+            {
+                if (nearTouch == 0) nearTouch = 1e-3*stiffestStep(speedBound);
+                now = std::max(now, nearTouch);
+            }
+            now = std::min(now, left);
             looked = lookInterval;
             sinceLook = 0;
             if (++flights > 10000000)
