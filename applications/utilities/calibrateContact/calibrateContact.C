@@ -63,7 +63,7 @@ Usage
                                 // contact is written as if it were real
     overlap         0.01;       // limit of overlap/diameter; default 0.01
     highestVelocity 20;         // [m/s] where it shall hold; default: fastest
-    output          constant/calibratedContact;     // default
+    output          "constant/calibratedContact";   // default
     \endverbatim
 
     A point with e = 0 is one that sticks. It is not fitted, but its residual
@@ -611,7 +611,7 @@ void writeContact
     os  << "// Contact of " << s.pair << ", fitted by calibrateContact to measured"
         << " restitutions." << nl
         << "// Put this at the end of constant/dustProperties:" << nl
-        << "//     #include \"" << s.output.name() << "\"" << nl
+        << "//     #includeIfPresent \"" << s.output.name() << "\"" << nl
         << "//" << nl
         << "// " << (s.wall ? "Sphere on a wall" : "Two equal spheres")
         << ", diameter " << 2*s.radius << " m, density " << s.density

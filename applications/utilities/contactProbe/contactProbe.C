@@ -178,6 +178,11 @@ void printValidity(const contactPair& p)
     const scalar lambda = p.figures(0).tabor;
     const word law(p.settings().normal.model);
 
+    if (law == "cohesivePlastic")
+    {
+        return;     // its attraction is not that of surface energy
+    }
+
     if (!(p.constants().realGamma > 0))
     {
         Info<< "    No adhesion: Hertz" << nl;
@@ -270,6 +275,13 @@ void printSteps(const contactPair& p, const scalarList& velocities)
         Info<< "400 or more (some impact is close to the sticking speed)";
     }
     Info<< "; in dustProperties: " << p.time().stepsPerContact << nl;
+}
+
+
+//- cohesivePlastic has a softening of its own
+bool softens(const contactPair& p)
+{
+    return p.settings().normal.model != "cohesivePlastic";
 }
 
 
@@ -493,7 +505,10 @@ void printTable
 
     printValidity(real);
     printSteps(soft.front(), settings.velocities());
-    advisedRatio(real, settings, limits, true);
+    if (softens(real))
+    {
+        advisedRatio(real, settings, limits, true);
+    }
 }
 
 
@@ -933,10 +948,12 @@ int main(int argc, char *argv[])
             advised = std::max
             (
                 advised,
-                advisedRatio
+                softens(all.back().real.front())
+              ? advisedRatio
                 (
                     all.back().real.front(), settings, dust.limits(), false
                 )
+              : 1
             );
         }
 

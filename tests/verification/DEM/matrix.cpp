@@ -222,9 +222,12 @@ Outcome run(const Case& c, Partner partner)
     const Vec3 n(0, 0, -1);
     const Vec3 slide = (slideWay - slideWay.dot(n)*n).normalized();
     const Vec3 v = speed*(n + tangential*slide);
-    // just apart: the first contact is made by the flight
+    // just apart: the first contact is made by the flight, along n
     const double gap = 1e-3*smaller;
-    system.add({1, 0, r1, mass(r1), Vec3(0, 0, r1 + gap), v, spin*speed/r1*spinWay1});
+    system.add
+    (
+        {1, 0, r1, mass(r1), Vec3(0, 0, r1) - gap/speed*v, v, spin*speed/r1*spinWay1}
+    );
     if (rj > 0)
     {
         system.add

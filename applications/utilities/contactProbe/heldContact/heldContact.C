@@ -53,9 +53,21 @@ dem::MaterialTable Foam::heldContact::undamped(const contactPair& pair)
     {
         for (auto& value : part->values)
         {
-            if (value.first == "restitution") value.second = 1;
-            if (value.first == "dampingCoefficient") value.second = 0;
-            if (value.first == "rollingDamping") value.second = 0;
+            // of cohesivePlastic, restitution is a stiffness
+            if (value.first == "restitution" && part->model != "cohesivePlastic")
+            {
+                value.second = 1;
+            }
+            else if
+            (
+                value.first == "dampingCoefficient"
+             || value.first == "dampingRatio"
+             || value.first == "rollingDamping"
+             || value.first == "twistingDamping"
+            )
+            {
+                value.second = 0;
+            }
         }
     }
 
