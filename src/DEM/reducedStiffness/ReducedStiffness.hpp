@@ -2,7 +2,7 @@
 //
 // Softer particles with the same adhesive rebound.
 //
-//     E_mod = chi E,   gamma_mod = chi^(2/5) gamma        (Haervig et al. 2017, eq. 24-27)
+//     E_mod = chi E,   gamma_mod = chi^(2/5) gamma        (Haervig et al. 2017)
 //
 // keep e_eff(v), the sticking speed and v(t chi^(2/5)) exactly; contact times and overlaps
 // grow as chi^(-2/5), forces shrink as chi^(2/5). Rolling, sliding and twisting keep the

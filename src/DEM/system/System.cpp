@@ -567,6 +567,11 @@ StepReport System::Implementation::advanceTogether
 {
     Clock::time_point clock = Clock::now();
     const std::size_t n = particles.size();
+    if (!communicator.any(n > 0))
+    {
+        now += dt;
+        return report;
+    }
     double fastest = 0, lowest = 1e300;
     for (std::size_t i = 0; i < n; ++i)
     {

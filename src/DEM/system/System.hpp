@@ -6,8 +6,8 @@
 //   - a particle that can meet nothing flies in closed form (linear drag, any tau_p/dt);
 //   - particles that can meet form islands; each island flies to its next touch and takes
 //     contact steps of its own size only while it has a contact;
-//   - an island whose contacts have come to rest sleeps until it is touched or its gas
-//     load changes.
+//   - a particle in a deposit that has come to rest sleeps until what touches it loads it,
+//     or its gas load changes; islands in which all sleep cost nothing.
 // Islands that span ranks are moved by the rank that owns their lowest particle id, so the
 // result does not depend on the decomposition.
 //

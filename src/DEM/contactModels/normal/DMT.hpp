@@ -7,7 +7,7 @@
 // Starts and ends at delta = 0; pull-off force 4 pi R gamma (W = 2 gamma). Damping as Hertz.
 // Rolling grows with (a/a0)^(3/2), a0^3 = 3 pi gamma R^2/E the equilibrium radius.
 // Sliding limit mu (F_N + 4 pi R gamma): Coulomb's law on the Hertzian pressure.
-// Source: Derjaguin, Muller & Toporov 1975; physics.md section 2.
+// Source: Derjaguin, Muller & Toporov 1975.
 // Keyword: normal { model DMT; restitution 0.86; }
 // Proof: tests/unit/DEM/contactLaws.cpp
 #pragma once

@@ -8,10 +8,10 @@
 //
 // E [Pa] effective modulus, R [m], m [kg] effective radius and mass, delta [m] overlap,
 // e [-] restitution, reproduced exactly at every speed.
-// Source: Haervig et al. 2017, eq. 9-13 (with the square root on 5/6 that some prints lose).
+// Source: Haervig et al. 2017, eq. 5-13 (with the square root on 5/6 that some prints lose).
 // Valid: gamma = 0; delta << R.
 // Keyword: normal { model Hertz; restitution 0.86; }  (or dampingCoefficient, see JKR)
-// Proof: tests/unit/DEM/contactLaws.cpp, tests/verification/restitution
+// Proof: tests/unit/DEM/contactLaws.cpp, tests/verification/DEM/convergence.cpp
 #pragma once
 
 #include "contactModels/contactModel/ContactScale.hpp"

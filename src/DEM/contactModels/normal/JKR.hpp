@@ -14,7 +14,7 @@
 // Source: Chen, Liu & Li 2019, eq. 1a, 5, 6.
 // Valid: Tabor number above about 3. gamma = 0 is Hertz (chosen automatically).
 // Keyword: normal { model JKR; restitution 0.86; }  or  { model JKR; dampingCoefficient 0.1; }
-// Proof: tests/unit/DEM/contactLaws.cpp, tests/verification/jkrCollision
+// Proof: tests/unit/DEM/contactLaws.cpp, tests/verification/DEM/jkrCollision.cpp
 #pragma once
 
 #include "contactModels/contactModel/ContactScale.hpp"

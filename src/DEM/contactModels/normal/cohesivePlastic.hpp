@@ -26,8 +26,7 @@
 // as they are; F_c0 is taken as given, so s_f alone lets it stick at higher speeds. The
 // reduced stiffness of elastic laws (chi) does not apply and is refused; surfaceEnergy has no
 // part in this law and may be 0.
-// Source: Walton 2004 (SAE 2004-01-2329), normal force; Walton & Braun 1986 for restitution;
-// physics.md section 2.
+// Source: Walton 2004 (SAE 2004-01-2329), normal force; Walton & Braun 1986 for restitution.
 // Keyword: normal { model cohesivePlastic; yieldStrength 1e8; unloading initial;
 //              attraction 5e-8; attractionBuildUp 0.1; }
 // Proof: tests/unit/DEM/cohesivePlastic.cpp, tests/verification/cohesivePlastic

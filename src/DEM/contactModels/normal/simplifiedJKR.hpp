@@ -9,7 +9,7 @@
 // Undamped it never sticks: not interchangeable with JKR.
 // Source: Haervig et al. 2017, eq. 5-13, 16.
 // Keyword: normal { model simplifiedJKR; restitution 0.86; }
-// Proof: tests/unit/DEM/contactLaws.cpp, tests/verification/pslRebound
+// Proof: tests/unit/DEM/contactLaws.cpp, tests/verification/DEM/pslRebound.cpp
 #pragma once
 
 #include "contactModels/normal/Hertz.hpp"

@@ -14,8 +14,7 @@
 // sliding and rolling act in contact only, as for DMT.
 // A reduced stiffness stretches z0 and range by gamma/gamma_mod = chi^(-2/5), as all overlaps
 // grow: rebound and sticking speed are then unchanged exactly.
-// Source: Hamaker 1937; Israelachvili, Intermolecular and Surface Forces, eq. 17.7;
-// physics.md section 2.
+// Source: Hamaker 1937; Israelachvili, Intermolecular and Surface Forces, eq. 17.7.
 // Valid: Tabor number below about 0.1; range >> z0 (0.165 to 0.4 nm).
 // Keyword: normal { model vanDerWaals; restitution 0.86; cutOff 4e-10; range 1e-8; }
 // Proof: tests/unit/DEM/vanDerWaals.cpp, tests/verification/vanDerWaals

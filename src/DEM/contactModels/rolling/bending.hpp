@@ -13,7 +13,7 @@
 // The spring is 1/8 of the JKR rolling stiffness: not interchangeable with springSlider.
 // b_f [-] is bendingFactor, eta_R [N s] rollingDamping (M = ... + eta_R v_L), default 0.
 // Without attraction (F_c = 0) there is no resistance.
-// Source: Walton 2004 (SAE 2004-01-2329), bending moment; physics.md section 2.
+// Source: Walton 2004 (SAE 2004-01-2329), bending moment.
 // Keyword: rolling { model bending; bendingFactor 1; }
 // Proof: tests/unit/DEM/bending.cpp, tests/verification/cohesivePlastic
 #pragma once

@@ -10,10 +10,10 @@
 // Krijt et al.) or criticalAngle R (C19, eq. 3c); F_C, a0 of the unsoftened contact, only
 // a/a0 from the softened one. eta_R [N s] is rollingDamping, default 0.
 // Without adhesion (F_C = 0) there is no resistance.
-// Source: Haervig et al. 2017, eq. 17-18; Chen, Liu & Li 2019, eq. 3c, 9.
+// Source: Haervig et al. 2017, eq. 18; Chen, Liu & Li 2019, eq. 3c.
 // Keyword: rolling { model springSlider; criticalAngle 0.0085; }
 //     or   rolling { model springSlider; adhesionHysteresis 0.4; }
-// Proof: tests/unit/DEM/contactLaws.cpp, tests/verification/rollingYield
+// Proof: tests/unit/DEM/contactLaws.cpp, tests/verification/DEM/rollingYield.cpp
 #pragma once
 
 #include "contactModels/contactModel/ContactScale.hpp"

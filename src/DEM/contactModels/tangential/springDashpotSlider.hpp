@@ -9,9 +9,9 @@
 // dashpot that the normal law gives, mu [-] the friction coefficient, F_N the elastic normal
 // force, F_C the pull-off force of the unsoftened contact. Where the limit is reached the
 // stored displacement is cut back too, so that F_T keeps its direction and unloads at once.
-// Source: Haervig et al. 2017, eq. 14-16; Chen, Liu & Li 2019, eq. 3a, 8.
+// Source: Haervig et al. 2017, eq. 16 (dashpot); Chen, Liu & Li 2019.
 // Keyword: tangential { model springDashpotSlider; friction 0.3; }
-// Proof: tests/unit/DEM/contactLaws.cpp, tests/verification/slipToRoll
+// Proof: tests/unit/DEM/contactLaws.cpp, tests/verification/DEM/slipToRoll.cpp
 #pragma once
 
 #include "contactModels/contactModel/ContactScale.hpp"

@@ -8,7 +8,7 @@
 // xi [rad] twist, omega_T = (omega_i - omega_j).n [rad/s]; F_c and B_max of
 // rolling/bending.hpp, which it needs. t_f [-] is twistingFactor, eta_Q [N m s]
 // twistingDamping, default 0: then a twist below the cap swings for ever.
-// Source: Walton 2004 (SAE 2004-01-2329), twisting moment; physics.md section 2.
+// Source: Walton 2004 (SAE 2004-01-2329), twisting moment.
 // Keyword: twisting { model cappedSpring; twistingFactor 0.5; }
 // Proof: tests/unit/DEM/bending.cpp, tests/verification/cohesivePlastic
 #pragma once

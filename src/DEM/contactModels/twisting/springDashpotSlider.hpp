@@ -7,7 +7,7 @@
 //
 // xi [rad] twist, omega_T = (omega_i - omega_j).n [rad/s]. The radius in the limit is that of
 // the unsoftened contact. Needs a sliding part.
-// Source: Chen, Liu & Li 2019, eq. 3b, 10; Marshall 2009.
+// Source: Chen, Liu & Li 2019; Marshall 2009.
 // Keyword: twisting { model springDashpotSlider; }
 // Proof: tests/unit/DEM/contactLaws.cpp
 #pragma once
