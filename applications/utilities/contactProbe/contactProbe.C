@@ -649,7 +649,7 @@ void writeSticking
             }
             if (v < 0)
             {
-                Info<< "always sticks" << nl;
+                Info<< "sticks at every speed that can be computed" << nl;
                 table << series.pair.name << ',' << c.chi << ",inf,0,0,nan" << nl;
                 continue;
             }
@@ -661,13 +661,21 @@ void writeSticking
                 p.pair().wall
               ? 3*c.gamma/(rho*v*v*p.radius())
               : c.gamma/(rho*v*v*p.figures(0).R);
-            const scalar factor = lambda/std::pow(Ad, 2.5);
-
-            Info<< v << " m/s, lambda " << lambda << ", Ad " << Ad
-                << ", lambda/Ad^(5/2) " << factor << nl;
-            table
-                << series.pair.name << ',' << c.chi << ',' << v << ','
-                << lambda << ',' << Ad << ',' << factor << nl;
+            Info<< v << " m/s";
+            table << series.pair.name << ',' << c.chi << ',' << v << ',';
+            if (Ad > 0)
+            {
+                const scalar factor = lambda/std::pow(Ad, 2.5);
+                Info<< ", lambda " << lambda << ", Ad " << Ad
+                    << ", lambda/Ad^(5/2) " << factor << nl;
+                table << lambda << ',' << Ad << ',' << factor << nl;
+            }
+            else
+            {
+                // an attraction that does not come from surface energy
+                Info<< nl;
+                table << lambda << ",0,nan" << nl;
+            }
         }
     }
     Info<< "    (lambda = E/(rho v^2); Ad = 3 gamma/(rho v^2 r) on a wall,"
@@ -701,7 +709,7 @@ void writeForceOverlap
                 turns = scalarList(1, p.collide(fastest(settings)).maxOverlap);
             }
             // out to the end at last
-            turns.append(-1.05*neck);
+            turns.append(-std::max(1.05*neck, 1e-6*p.radius()));
 
             bool touching;
             scalar now = -touch;

@@ -20,6 +20,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "dustCloudData.H"
+#include "cellWall.H"
 
 #include "PstreamBuffers.H"
 #include "InjectionModelList.H"
@@ -73,6 +74,10 @@ void Foam::dustCloud::setGasLoads
         nonCoupled.setSize(size());
     }
 
+    // From x itself: the last bits of the tracked position depend on the
+    // decomposition
+    const bool atPoint = isA<cellWall<vector>>(td.UInterp());
+
     label i = 0;
 
     for (dustParcel& p : *this)
@@ -86,6 +91,10 @@ void Foam::dustCloud::setGasLoads
         }
 
         p.setCellValues(*this, td);
+        if (atPoint)
+        {
+            td.Uc() = td.UInterp().interpolate(p.x(), p.cell());
+        }
 
         if (d.dispersion)
         {

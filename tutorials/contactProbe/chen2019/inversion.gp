@@ -4,6 +4,7 @@ set datafile separator ","
 set grid lc rgb "#dddddd"
 set output "inversion.png"
 set logscale x
+set xrange [0.9:25]
 set yrange [0:1]
 set xlabel "impact speed [m/s]"
 set ylabel "restitution"

@@ -52,8 +52,9 @@ static constexpr scalar smallestNet = 1e-3;
 static constexpr int steadyWindows = 10;
 static constexpr int mostWindows = 50;
 
-// Looks at the motion per shortest period of the contact
+// Looks at the motion per shortest period of the contact; more for its history
 static constexpr scalar looksPerPeriod = 25;
+static constexpr scalar historyPerPeriod = 200;
 
 
 static scalar sphereMass
@@ -279,8 +280,9 @@ Foam::contactPair::collision Foam::contactPair::collide
 
     // A whole number of contact steps between two looks
     const scalar step = f.period/time_.stepsPerContact;
+    const scalar looks = history ? historyPerPeriod : looksPerPeriod;
     const scalar h =
-        step*std::max(scalar(1), std::floor(time_.stepsPerContact/looksPerPeriod));
+        step*std::max(scalar(1), std::floor(time_.stepsPerContact/looks));
 
     // Just in contact, by a length that scales with the collision's own, so that
     // softened contacts go through the very same motion
@@ -376,7 +378,15 @@ Foam::contactPair::collision Foam::contactPair::collide
                 std::max(scalar(0), -(now.v - low*a).dot(now.n))/vn;
             // a fast impact may be over before the second look
             result.maxOverlap = std::max(result.maxOverlap, -before.gap);
-            note(now);
+            if (history)
+            {
+                // the very end
+                history->push_back
+                ({
+                    result.contactTime, -endGap, (now.v - low*a).dot(now.n),
+                    0, slipPath, rollPath
+                });
+            }
             break;
         }
 
@@ -487,7 +497,15 @@ Foam::scalar Foam::contactPair::stickingSpeed(const scalar tolerance) const
             low = high;
             high *= 2;
             if (high > 1e6*start) return -1;
-        } while (sticks(high));
+            try
+            {
+                if (!sticks(high)) break;
+            }
+            catch (const std::runtime_error&)
+            {
+                return -1;      // deeper than any law goes, and still held
+            }
+        } while (true);
     }
     else
     {
