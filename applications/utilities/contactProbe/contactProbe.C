@@ -887,17 +887,7 @@ int main(int argc, char *argv[])
             false
         )
     );
-    wordList known(dustProperties::blocks());
-    known.append
-    (
-        wordList
-        ({
-            "FoamFile", "coupling", "gas", "couplingMassLoading",
-            "progressInterval", "solution", "constantProperties", "subModels",
-            "cloudFunctions"
-        })
-    );
-    dustProperties::checkKeywords(properties, known);
+    dustProperties::checkKeywords(properties, dustProperties::keywords());
     dustProperties dust(properties);
 
     const IOdictionary probeDict

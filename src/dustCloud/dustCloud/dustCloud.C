@@ -67,17 +67,7 @@ const Foam::word& Foam::dustCloud::checkInput
         )
     );
 
-    wordList known(dustProperties::blocks());
-    known.append
-    (
-        wordList
-        ({
-            "FoamFile", "coupling", "gas", "couplingMassLoading",
-            "progressInterval", "solution", "constantProperties", "subModels",
-            "cloudFunctions"
-        })
-    );
-    dustProperties::checkKeywords(properties, known);
+    dustProperties::checkKeywords(properties, dustProperties::keywords());
 
     // Throws away what it reads: only the messages matter here
     const dustProperties materials(properties);

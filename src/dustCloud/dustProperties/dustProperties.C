@@ -522,12 +522,17 @@ dem::MaterialTable Foam::dustProperties::table() const
 }
 
 
-Foam::wordList Foam::dustProperties::blocks()
+Foam::wordList Foam::dustProperties::keywords()
 {
     return
     {
+        "FoamFile",
+        // read here
         "materials", "dustMaterial", "patchMaterials", "contact",
-        "reducedStiffness", "timeIntegration"
+        "reducedStiffness", "timeIntegration",
+        // read by the cloud
+        "coupling", "gas", "couplingMassLoading", "progressInterval",
+        "solution", "constantProperties", "subModels", "cloudFunctions"
     };
 }
 

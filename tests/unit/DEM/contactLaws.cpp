@@ -517,6 +517,40 @@ TEST(sliding, dashpotClosedForm)
 }
 
 
+TEST(sliding, dashpotLeavesNoForceBehind)
+{
+    // at first touch a dashpot far above the limit; when the slip has stopped and the contact
+    // has deepened, the spring may hold back up to the limit but never push along the slip
+    const double v = 1;
+    for (const char* name : normalLaws)
+    {
+        Law law = lawOf(name);
+        law.friction = 0.1;
+        law.restitution = 0.3;
+        for (const double touch : {1e-15, 1e-13, 1e-11})
+        {
+            SCOPED_TRACE(std::string(name) + " from " + scene::text(touch));
+            ContactBench b(law);
+            Placed p{1e-6, -1, touch, -Vec3::UnitZ()};
+            p.vI = Vec3(v, 0, 0);
+            b.add(p);
+            b.evaluate(0);
+            p.vI = Vec3::Zero();
+            p.overlap = 1e-8;
+            b.place(0, p);
+            b.evaluate(0);
+            const double limit = 0.1*std::fabs
+            (
+                formula::normal(name, law.contact(1e-6, -1), 1e-8, 0.3).force
+              + (law.normal == "DMT" ? 4*formula::pi*1e-6*law.gamma : 2*3*formula::pi*1e-6*law.gamma)
+            );
+            EXPECT_LE(b.loads(0).forceI.x(), 1e-9*limit);
+            EXPECT_GE(b.loads(0).forceI.x(), -limit*(1 + 1e-12));
+        }
+    }
+}
+
+
 TEST(sliding, springTurnsWithThePair)
 {
     // a spring that is loaded, then the normal turns: it stays tangential and keeps its size
@@ -787,6 +821,33 @@ TEST(twisting, stiffnessDashpotAndLimit)
             b.place(0, p);
             b.evaluate(h);
             EXPECT_TRUE(close(b.loads(0).torqueI.x(), -0.5*cap, 1e-8));
+        }
+    }
+}
+
+
+TEST(twisting, dashpotLeavesNoMomentBehind)
+{
+    for (const char* name : normalLaws)
+    {
+        Law law = lawOf(name);
+        law.friction = 0.1;
+        law.twisting = true;
+        law.restitution = 0.3;
+        for (const double touch : {1e-15, 1e-13, 1e-11})
+        {
+            SCOPED_TRACE(std::string(name) + " from " + scene::text(touch));
+            ContactBench b(law);
+            Placed p{1e-6, -1, touch, -Vec3::UnitZ()};
+            p.wI = Vec3(0, 0, 1e6);
+            b.add(p);
+            b.evaluate(0);
+            p.wI = Vec3::Zero();
+            p.overlap = 1e-8;
+            b.place(0, p);
+            b.evaluate(0);
+            const formula::Contact c = law.contact(1e-6, -1);
+            EXPECT_LE(b.loads(0).torqueI.z(), 1e-9*c.E*1e-24);
         }
     }
 }

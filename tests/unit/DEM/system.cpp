@@ -248,6 +248,42 @@ TEST(system, anIslandKnowsNothingOfTheOthers)
 }
 
 
+TEST(system, withoutIslandsTheSamePhysics)
+{
+    // one step for all, that of the stiffest possible contact: the same collisions within
+    // the error of the steps, and every particle takes every step
+    const Law law = scene::stickyLaw();
+    const double r = 1e-6;
+    const auto run = [&](bool islands)
+    {
+        dem::TimeSettings time = neverRests();
+        time.islands = islands;
+        time.stepsPerContact = 200;
+        dem::System system(law.table(), time);
+        system.setWalls(scene::floor());
+        // one bounces off the floor, two collide, one flies on its own
+        system.add(sphere(law, 1, r, Vec3(0, 0, 1.5*r), Vec3(2, 0, -20)));
+        system.add(sphere(law, 2, r, Vec3(50*r, 0, 40*r), Vec3(10, 1, 0), Vec3(0, 1e6, 0)));
+        system.add(sphere(law, 3, 0.7*r, Vec3(53*r, 0.3*r, 40*r)));
+        system.add(sphere(law, 4, r, Vec3(0, 300*r, 40*r), Vec3(1, 1, 0)));
+        dem::StepReport report;
+        for (int step = 0; step < 10; ++step) report.add(system.advance(5e-8));
+        EXPECT_EQ(report.touches, 2);
+        EXPECT_EQ(report.separations, 2);
+        EXPECT_EQ(report.freeFlights > 0, islands);
+        return scene::sorted(system);
+    };
+    const auto with = run(true), without = run(false);
+    for (std::size_t i = 0; i < with.size(); ++i)
+    {
+        SCOPED_TRACE(with[i].id);
+        EXPECT_TRUE(near(without[i].v, with[i].v, 5e-3*(with[i].v.norm() + 1)));
+        EXPECT_TRUE(near(without[i].x, with[i].x, 5e-3*5e-7*20));
+    }
+    EXPECT_TRUE(near(without[3].x, with[3].x, 1e-12*300*r));
+}
+
+
 // * * * * * * * * * * * * * * * * Rest and wake * * * * * * * * * * * * * * * * * * * * //
 
 TEST(rest, aStuckSphereComesToRest)

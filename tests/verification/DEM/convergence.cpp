@@ -63,7 +63,7 @@ Law lawOf(const std::string& normal, double restitution)
     Law law;
     law.normal = normal;
     law.restitution = restitution;
-    // friction that always holds; without 2 F_C in its limit it could not at first touch
+    // friction that always holds; without 2 F_C in its limit it cannot at first touch
     if (normal == "JKR" || normal == "simplifiedJKR") law.friction = 10;
     if (normal == "Hertz") law.gamma = 0;
     return law;

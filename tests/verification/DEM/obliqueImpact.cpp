@@ -95,6 +95,60 @@ TEST(obliqueImpact, grossSliding)
 }
 
 
+TEST(obliqueImpact, grossSlidingWithDamping)
+{
+    // the friction of gross sliding is mu (F_N + what the law adds) of the elastic force,
+    // whatever the dashpots do: v_t' = v_t - (mu/m) times its time integral
+    for (const char* normal : {"Hertz", "DMT", "simplifiedJKR", "JKR"})
+    {
+        for (const double e : {0.8, 0.5})
+        {
+            SCOPED_TRACE(std::string(normal) + " restitution " + scene::text(e));
+            Law law;
+            law.normal = normal;
+            law.gamma = law.normal == "Hertz" ? 0 : 1e-3;
+            law.restitution = e;
+            law.friction = 0.1;
+            const double radius = 1e-5, vn = 1, vt = 5;
+            const formula::Contact c = law.contact(radius, -1);
+            const double offset =
+                law.normal == "DMT" ? 4*formula::pi*c.R*c.gamma : 2*c.pullOff();
+            const double end = formula::endOverlap(normal, c);
+            formula::Ode<3> ode;    // overlap, closing speed, integral of the limit/(mu m)
+            ode.rate = [&](double, const std::array<double, 3>& y)
+            {
+                const formula::Normal n =
+                    formula::normal(normal, c, std::max(y[0], end), e);
+                return std::array<double, 3>
+                {
+                    y[1], -(n.force + n.damping*y[1])/c.m, (n.force + offset)/c.m
+                };
+            };
+            const double peak =
+                std::pow(15.0/16.0*c.m*vn*vn/(c.E*std::sqrt(radius)), 0.4);
+            ode.scale = {peak, vn, vn};
+            std::array<double, 3> y{0, vn, 0};
+            ode.solve
+            (
+                y, 0, 30*peak/vn, 1e-6*peak/vn,
+                [&](const auto& z) { return z[1] < 0 && z[0] < end; }
+            );
+            const double exact = vt - law.friction*y[2];
+            const double impulse = vt - exact;
+            for (const double steps : {50.0, 200.0, 1000.0})
+            {
+                const scene::Impact i = scene::impact
+                (
+                    law, radius, Vec3(vt, 0, -vn), Vec3::Zero(), steps
+                );
+                // the springs must load first: 8 G a against the limit
+                EXPECT_TRUE(near(i.v.x(), exact, (1e-3 + 0.2/steps)*impulse)) << steps;
+            }
+        }
+    }
+}
+
+
 TEST(obliqueImpact, spinningSphereThatSlides)
 {
     // test 6 kind: normal impact with spin: the wall throws it to the side

@@ -2,9 +2,9 @@
 
     xvfb-run -a pvbatch depositPicture.py [CASE [PICTURE]]
 
-Top: the duct with the speed of the air in its middle plane, dust as dots. Below:
-the screen seen from upstream and the densest part of its deposit, dust as spheres
-of true diameter. ParaView 5.10 or later.
+Top: the duct with the speed of the air in its middle plane. Below: the screen seen
+from upstream, dust as dots, and the densest part of its deposit, dust as spheres of
+true diameter. ParaView 5.10 or later.
 """
 
 import math
@@ -17,7 +17,7 @@ from paraview import servermanager
 case = sys.argv[1] if len(sys.argv) > 1 else "."
 picture = sys.argv[2] if len(sys.argv) > 2 else os.path.join(case, "deposit.png")
 
-windowSize = 0.6e-3     # m, of the close-up
+windowSize = 0.4e-3     # m, of the close-up
 black = [0, 0, 0]
 
 # Small vectors by hand: Debian's ParaView does not bring numpy
@@ -266,7 +266,11 @@ focus = plus(screenCentre, [0, 0, -0.1e-3])
 look(views[1], focus, direction, up, height)
 wires(views[1])
 if count > 0:
-    spheres(views[1], atScreen, 12)
+    # A sphere would be smaller than a pixel
+    shown = Show(atScreen, views[1])
+    shown.Representation = "Points"
+    shown.PointSize = 4
+    ColorBy(shown, ("POINTS", "diameter"))
 
 frame = Show(
     Box(XLength=1e-6, YLength=windowSize, ZLength=windowSize,
@@ -276,7 +280,7 @@ frame = Show(
 frame.Representation = "Outline"
 plain(frame, [0.8, 0, 0])
 frame.LineWidth = 3
-label(views[1], "The screen from upstream; red: close-up", [0.04, 0.945])
+label(views[1], "The screen from upstream, dust as dots; red: close-up", [0.04, 0.945])
 scaleBar(views[1], 1e-3, "1 mm", focus, direction, up, height, aspect)
 
 
@@ -288,7 +292,7 @@ look(views[2], window, direction, up, height)
 wires(views[2])
 if count > 0:
     spheres(views[2], atScreen, 32)
-label(views[2], "Close-up", [0.04, 0.945])
+label(views[2], "Close-up, true diameters", [0.04, 0.945])
 scaleBar(views[2], 1e-4, "0.1 mm", window, direction, up, height, aspect)
 
 SaveScreenshot(picture, layout, ImageResolution=size)

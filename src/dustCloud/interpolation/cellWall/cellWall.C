@@ -37,7 +37,7 @@ Type Foam::cellWall<Type>::interpolate
 
     const Type& inside = this->psi_[celli];
     Type result = inside;
-    scalar nearest = 1;
+    scalar nearest = GREAT;
 
     for (const label facei : mesh.cells()[celli])
     {
@@ -66,7 +66,7 @@ Type Foam::cellWall<Type>::interpolate
                 [
                     patch.whichFace(facei)
                 ];
-            result = wall + nearest*(inside - wall);
+            result = wall + min(scalar(2), nearest)*(inside - wall);
         }
     }
 
