@@ -97,10 +97,8 @@ struct springDashpotSlider
 
         const Real size = squareRoot(maximum(square, Real(1e-290)));
         const V3<Real> held = select(slides, cap/size, Real(1))*trial;
-        // k = 0 only at first touch of laws without a neck, where xi = 0 as well
-        const Real inverse = Real(1)/maximum(k, Real(1e-290));
-        const Real cut = select(slides && k > Real(0), Real(1), Real(0));
-        xi = (Real(1) - cut)*xi + cut*(inverse*(held - dash));
+        const Real stored = k*squareRoot(maximum(dot(xi, xi), Real(1e-290)));
+        xi = select(stored > cap, cap/maximum(stored, Real(1e-290)), Real(1))*xi;
         return Real(-1)*held;
     }
 };

@@ -80,10 +80,8 @@ struct springDashpotSlider
         if (!any(slides)) return -trial;
 
         const Real held = maximum(-cap, minimum(cap, trial));
-        xi = select
-        (
-            slides && k > Real(0), (held - dash)/maximum(k, Real(1e-290)), xi
-        );
+        const Real limit = cap/maximum(k, Real(1e-290));
+        xi = maximum(-limit, minimum(limit, xi));
         return -held;
     }
 };

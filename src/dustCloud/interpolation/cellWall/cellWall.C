@@ -55,8 +55,13 @@ Type Foam::cellWall<Type>::interpolate
         // round an edge of the wall
         const face& f = mesh.faces()[facei];
         const scalar here = f.nearestPoint(position, mesh.points()).distance();
-        const scalar centre =
-            f.nearestPoint(mesh.cellCentres()[celli], mesh.points()).distance();
+
+        // Rounded, as the last bits of a cell's centre depend on the order of
+        // its faces, and that on the decomposition
+        const scalar centre = float
+        (
+            f.nearestPoint(mesh.cellCentres()[celli], mesh.points()).distance()
+        );
 
         if (here < nearest*centre)
         {
