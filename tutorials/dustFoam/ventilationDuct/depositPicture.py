@@ -1,6 +1,6 @@
 """Draw the dust on the screen: deposit.png, from the last time of this case.
 
-    xvfb-run -a pvbatch depositPicture.py [CASE [PICTURE]]
+    xvfb-run -a pvbatch depositPicture.py [CASE [PICTURE [WIDTH]]]
 
 Top: the duct with the speed of the air in its middle plane. Below: the screen seen
 from upstream, dust as dots, and the densest part of its deposit, dust as spheres of
@@ -16,6 +16,7 @@ from paraview import servermanager
 
 case = sys.argv[1] if len(sys.argv) > 1 else "."
 picture = sys.argv[2] if len(sys.argv) > 2 else os.path.join(case, "deposit.png")
+width = int(sys.argv[3]) if len(sys.argv) > 3 else 1800    # pixels
 
 windowSize = 0.4e-3     # m, of the close-up
 black = [0, 0, 0]
@@ -295,5 +296,7 @@ if count > 0:
 label(views[2], "Close-up, true diameters", [0.04, 0.945])
 scaleBar(views[2], 1e-4, "0.1 mm", window, direction, up, height, aspect)
 
-SaveScreenshot(picture, layout, ImageResolution=size)
+SaveScreenshot(
+    picture, layout, ImageResolution=[width, width * size[1] // size[0]], CompressionLevel="9"
+)
 print("%s: %d particles at t = %g s" % (picture, count, time))
