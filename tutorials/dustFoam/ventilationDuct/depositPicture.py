@@ -125,7 +125,8 @@ if dust is not None:
 
 # Views
 
-size = [1800, 1500]
+size = [width, width * 5 // 6]
+scale = width / 1800    # of what is given in pixels
 layout = CreateLayout("deposit")
 views = [CreateView("RenderView") for _ in range(3)]
 AssignViewToLayout(views[0], layout, 0)
@@ -158,7 +159,7 @@ def label(view, text, position, fontSize=22):
     shown = Show(Text(Text=text), view, "TextSourceRepresentation")
     shown.WindowLocation = "Any Location"
     shown.Position = position
-    shown.FontSize = fontSize
+    shown.FontSize = round(fontSize * scale)
     shown.Color = black
 
 
@@ -204,8 +205,8 @@ def colourBar(view, function, title, position, length):
     bar = GetScalarBar(function, view)
     bar.Title, bar.ComponentTitle = title, ""
     bar.TitleColor = bar.LabelColor = black
-    bar.TitleFontSize = bar.LabelFontSize = 20
-    bar.ScalarBarThickness = 18
+    bar.TitleFontSize = bar.LabelFontSize = round(20 * scale)
+    bar.ScalarBarThickness = round(18 * scale)
     bar.WindowLocation = "Any Location"
     bar.Position = position
     bar.ScalarBarLength = length
@@ -248,7 +249,7 @@ wires(views[0])
 if count > 0:
     shown = Show(microns, views[0])
     shown.Representation = "Points"
-    shown.PointSize = 3
+    shown.PointSize = 3 * scale
     ColorBy(shown, ("POINTS", "diameter"))
     colourBar(views[0], diameters, "Particle diameter [\u00b5m]", [0.72, 0.02], 0.2)
 label(
@@ -270,7 +271,7 @@ if count > 0:
     # A sphere would be smaller than a pixel
     shown = Show(atScreen, views[1])
     shown.Representation = "Points"
-    shown.PointSize = 4
+    shown.PointSize = 4 * scale
     ColorBy(shown, ("POINTS", "diameter"))
 
 frame = Show(
@@ -280,7 +281,7 @@ frame = Show(
 )
 frame.Representation = "Outline"
 plain(frame, [0.8, 0, 0])
-frame.LineWidth = 3
+frame.LineWidth = 3 * scale
 label(views[1], "The screen from upstream, dust as dots; red: close-up", [0.04, 0.945])
 scaleBar(views[1], 1e-3, "1 mm", focus, direction, up, height, aspect)
 
@@ -296,7 +297,5 @@ if count > 0:
 label(views[2], "Close-up, true diameters", [0.04, 0.945])
 scaleBar(views[2], 1e-4, "0.1 mm", window, direction, up, height, aspect)
 
-SaveScreenshot(
-    picture, layout, ImageResolution=[width, width * size[1] // size[0]], CompressionLevel="9"
-)
+SaveScreenshot(picture, layout, ImageResolution=size, CompressionLevel="9")
 print("%s: %d particles at t = %g s" % (picture, count, time))
