@@ -12,8 +12,8 @@ namespace dem
 struct alignas(32) Body
 {
     double x[3], r;     // [m]
-    double v[3], m;     // [m/s], [kg]
-    double w[3], I;     // [rad/s], [kg m2]
+    double v[3], invM;  // [m/s], [1/kg]
+    double w[3], invI;  // [rad/s], [1/(kg m2)]
 };
 
 //- How springs move on in one evaluation: by the trapezoidal rule, half a step with the old
@@ -26,7 +26,7 @@ struct SpringStep
     double after = 0;   // slip time after it [s]
 };
 
-//- Force [N] and torque [N m] on a particle
+//- Force [N] and torque [N m] on a particle; the fourth components are zero
 struct alignas(32) Load
 {
     double f[4];
@@ -40,6 +40,7 @@ struct ContactList
     std::vector<double> overlap;            // [m]; written for pairs, read for walls
     std::vector<double> nx, ny, nz;         // normal from i into the wall (wall lists only)
     std::vector<std::vector<double>> constants;
+    std::vector<char> same;                 // by constant: all contacts have one value
     std::vector<std::vector<double>> history;
     std::vector<char> ended;
     std::vector<int> tag;                   // the owner's reference
@@ -47,6 +48,7 @@ struct ContactList
     void setUp(int nConstants, int nHistory, bool wall)
     {
         constants.assign(std::size_t(nConstants), {});
+        same.assign(std::size_t(nConstants), 1);
         history.assign(std::size_t(nHistory), {});
         wall_ = wall;
         clear();
@@ -76,6 +78,7 @@ struct ContactList
         }
         for (std::size_t k = 0; k < constants.size(); ++k)
         {
+            same[k] = constants[k].empty() || (same[k] && constants[k][0] == c[k]);
             constants[k].push_back(c[k]);
         }
         for (std::size_t k = 0; k < history.size(); ++k)

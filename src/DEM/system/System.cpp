@@ -980,7 +980,6 @@ std::vector<ContactView> System::contacts() const
                     bodies[k].w[d] = a.omega[d];
                 }
                 bodies[k].r = a.radius;
-                bodies[k].m = a.mass;
             }
             list.setUp(law.nConstants(), law.nHistory(), wall);
             list.append(0, wall ? c.wall : 1, 0, constants, c.history);

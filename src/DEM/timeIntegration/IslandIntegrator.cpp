@@ -184,14 +184,14 @@ void IslandIntegrator::begin
     {
         e.R = p.radius;
         e.m = p.mass;
-        e.invInertia = 1/bi.I;
+        e.invInertia = bi.invI;
     }
     else
     {
         const Particle& q = particles_[std::size_t(j)];
         e.R = p.radius*q.radius/(p.radius + q.radius);
         e.m = p.mass*q.mass/(p.mass + q.mass);
-        e.invInertia = 1/bi.I + 1/bodies_[std::size_t(j)].I;
+        e.invInertia = bi.invI + bodies_[std::size_t(j)].invI;
         candidates_[std::size_t(candidate)].touching = true;
     }
     const int pairInLaw = materials_.pairInLaw(p.material, mj);
@@ -315,6 +315,9 @@ void IslandIntegrator::activateStored()
 //- End the contacts that evaluate() has marked; their load is taken back
 bool IslandIntegrator::endMarked(StepReport& report)
 {
+    if (!ended_) return false;
+    ended_ = false;
+    complete();
     bool any = false;
     std::vector<int> alone;     // at rest, with one contact less
     for (std::size_t l = 0; l < lists_.size(); ++l)
@@ -372,12 +375,13 @@ bool IslandIntegrator::form(StepReport& report)
         const int c = near_[k];
         const Candidate& pair = candidates_[std::size_t(c)];
         if (pair.touching || !meets(pair)) continue;
+        complete();
         begin(pair.i, pair.j, -1, c, nullptr);
         ++report.touches;
         any = true;
     }
 
-    for (const int i : awake_)
+    for (const int i : nearWalls_)
     {
         const auto& hits = hits_[std::size_t(i)];
         for (std::size_t k = 0; k < hits.size(); ++k)
@@ -387,6 +391,7 @@ bool IslandIntegrator::form(StepReport& report)
             {
                 continue;
             }
+            complete();
             begin(i, -1, hits[k].patch, -1, nullptr);
             const int law = materials_.lawIndex
             (
@@ -429,6 +434,7 @@ bool IslandIntegrator::form(StepReport& report)
 //- Loads are as they were: what the frozen contacts gave, they go on giving
 void IslandIntegrator::wake(int first, StepReport& report)
 {
+    complete();
     const std::size_t i = std::size_t(first);
     rest_[i].resting = false;
     rest_[i].quietTime = 0;
@@ -572,11 +578,12 @@ double IslandIntegrator::gap(const Candidate& c, Vec3& n) const
 }
 
 
-bool IslandIntegrator::meets(const Candidate& c) const
+//- Whether the surfaces are within `margin` of where their contact begins
+bool IslandIntegrator::meets(const Candidate& c, double margin) const
 {
     const Body& a = bodies_[std::size_t(c.i)];
     const Body& b = bodies_[std::size_t(c.j)];
-    const double sum = a.r + b.r + c.touch;
+    const double sum = a.r + b.r + c.touch + margin;
     return periodic_.nearest(vec(b.x) - vec(a.x)).squaredNorm() <= sum*sum;
 }
 
@@ -595,7 +602,7 @@ double IslandIntegrator::accelerationBound(int i) const
     if (rest_[k].resting) return 0;
     const GasLoad& g = gas_[k];
     return
-        (g.Sp*(g.Uc - vec(bodies_[k].v)) + g.Su).norm()*kicks_[k].invM;
+        (g.Sp*(g.Uc - vec(bodies_[k].v)) + g.Su).norm()*bodies_[k].invM;
 }
 
 
@@ -611,17 +618,23 @@ bool IslandIntegrator::anyContact() const
 
 void IslandIntegrator::refreshNear()
 {
+    // enough for some steps, as fast as they are now
     skin_ = 0.2*smallest_;
+    if (contactStep_ > 0)
+    {
+        skin_ = std::min(skin_, std::max(200*fastest_*contactStep_, 1e-3*smallest_));
+    }
     moved_ = 0;
     near_.clear();
     for (std::size_t c = 0; c < candidates_.size(); ++c)
     {
         const Candidate& k = candidates_[c];
+        if (k.touching) continue;
         if (rest_[std::size_t(k.i)].resting && rest_[std::size_t(k.j)].resting) continue;
-        Vec3 n;
-        if (!k.touching && gap(k, n) < skin_) near_.push_back(int(c));
+        if (meets(k, skin_)) near_.push_back(int(c));
     }
 
+    nearWalls_.clear();
     nearSurfaces_.resize(particles_.size());
     hits_.resize(particles_.size());
     hitTaken_.resize(particles_.size());
@@ -641,9 +654,11 @@ void IslandIntegrator::refreshNear()
                     nearSurfaces_[i].push_back(surfaces_[s]);
                 }
             }
+            if (!nearSurfaces_[i].empty()) nearWalls_.push_back(int(i));
         }
         first = last;
     }
+    updateWalls();
 }
 
 
@@ -651,12 +666,9 @@ void IslandIntegrator::refreshNear()
 void IslandIntegrator::updateWalls()
 {
     bool any = false;
-    for (const int i : awake_)
+    for (const int i : nearWalls_)
     {
         const std::size_t k = std::size_t(i);
-        hits_[k].clear();
-        hitTaken_[k].clear();
-        if (nearSurfaces_[k].empty()) continue;
         wallSearch_.hits
         (
             vec(bodies_[k].x), particles_[k].radius + reach_[k] + 0.5*skin_,
@@ -718,12 +730,12 @@ void IslandIntegrator::setFlight(double h)
     {
         const std::size_t k = std::size_t(i);
         const GasLoad& g = gas_[k];
-        const FlightFactors f(g.Sp*kicks_[k].invM, h);
-        const Vec3 b = (g.Sp*g.Uc + g.Su)*kicks_[k].invM;
+        const FlightFactors f(g.Sp*bodies_[k].invM, h);
+        const Vec3 b = (g.Sp*g.Uc + g.Su)*bodies_[k].invM;
         flight_[k] =
         {
             f.e, f.p1, f.p2,
-            g.SpOmega > 0 ? std::exp(-g.SpOmega*kicks_[k].invI*h) : 1,
+            g.SpOmega > 0 ? std::exp(-g.SpOmega*bodies_[k].invI*h) : 1,
             {b[0], b[1], b[2]},
             {g.omegaC[0], g.omegaC[1], g.omegaC[2]}
         };
@@ -731,10 +743,11 @@ void IslandIntegrator::setFlight(double h)
 }
 
 
-void IslandIntegrator::evaluate(const SpringStep& step, StepReport& report)
+//- Add the loads of all contacts; loads_ holds what else there is
+bool IslandIntegrator::evaluate(const SpringStep& step, StepReport& report)
 {
-    for (const int i : awake_) loads_[std::size_t(i)] = Load{};
     for (const int i : boundary_) loads_[std::size_t(i)] = frozen_[std::size_t(i)];
+    bool ended = false;
     for (std::size_t l = 0; l < lists_.size(); ++l)
     {
         const ContactLaw& law = *materials_.laws()[l];
@@ -742,68 +755,79 @@ void IslandIntegrator::evaluate(const SpringStep& step, StepReport& report)
         const std::size_t nPairs = lists.pairs.size(), nWalls = lists.walls.size();
         if (nPairs)
         {
-            law.evaluatePairs
+            ended |= law.evaluatePairs
             (
                 lists.pairs, 0, nPairs, bodies_.data(), loads_.data(), step, 1, periodic_
             );
         }
         if (nWalls)
         {
-            law.evaluateWalls
+            ended |= law.evaluateWalls
             (
                 lists.walls, 0, nWalls, bodies_.data(), loads_.data(), step, 1
             );
         }
         report.contactUpdates += std::int64_t(nPairs + nWalls);
     }
+    return ended;
 }
 
 
-//- First kick and flight over h; returns the largest |v|^2
+//- What is owed of the last kick, the first kick of a step of h, and the flight over it;
+//  loads become zero. Returns the largest |v|^2.
 template<bool gas>
 double IslandIntegrator::drift(double h)
 {
     if constexpr (gas) setFlight(h);
+    typedef double Quad __attribute__((vector_size(32), may_alias));
+    const double kick = 0.5*(owed_ + h), half = 0.5*h;
     double fastest = 0;
     for (const int i : awake_)
     {
         const std::size_t k = std::size_t(i);
         Body& b = bodies_[k];
-        const Load& l = loads_[k];
-        Kick& kick = kicks_[k];
-        const double push = 0.5*h*kick.invM, turn = 0.5*h*kick.invI;
-        double square = 0;
-        for (int d = 0; d < 3; ++d)
+        Load& l = loads_[k];
+        Motion& m = motion_[k];
+        const auto at = [](double* p) -> Quad& { return *reinterpret_cast<Quad*>(p); };
+        const double invM = b.invM, invI = b.invI;
+        const Quad f = at(l.f), t = at(l.t);
+        Quad v = at(m.v) + kick*invM*f;
+        Quad w = at(m.w) + kick*invI*t;
+        double square = v[0]*v[0] + v[1]*v[1] + v[2]*v[2];
+        if constexpr (gas)
         {
-            double v = b.v[d] + push*l.f[d];
-            double w = b.w[d] + turn*l.t[d];
-            square += v*v;
-            if constexpr (gas)
+            const Flight& flight = flight_[k];
+            for (int d = 0; d < 3; ++d)
             {
-                const Flight& f = flight_[k];
-                const double start = v;
-                b.x[d] += f.p1*v + f.p2*f.b[d];
-                v = f.e*v + f.p1*f.b[d];
-                impulse_[k][d] += b.m*(v - start);
-                square += std::max(v*v - start*start, 0.0);
-                w = f.omegaC[d] + f.eSpin*(w - f.omegaC[d]);
+                const double start = v[d];
+                b.x[d] += flight.p1*start + flight.p2*flight.b[d];
+                v[d] = flight.e*start + flight.p1*flight.b[d];
+                impulse_[k][d] += mass(k)*(v[d] - start);
+                square += std::max(v[d]*v[d] - start*start, 0.0);
+                w[d] = flight.omegaC[d] + flight.eSpin*(w[d] - flight.omegaC[d]);
             }
-            else
-            {
-                b.x[d] += h*v;
-            }
-            kick.v[d] = v;
-            kick.w[d] = w;
-            b.v[d] = v + push*l.f[d];
-            b.w[d] = w + turn*l.t[d];
         }
+        else
+        {
+            at(b.x) += h*v;
+        }
+        at(m.v) = v;
+        at(m.w) = w;
+        v += half*invM*f;
+        w += half*invI*t;
+        v[3] = invM;
+        w[3] = invI;
+        at(b.v) = v;
+        at(b.w) = w;
+        l = Load{};
         fastest = std::max(fastest, square);
     }
+    owed_ = 0;
     return fastest;
 }
 
 
-//- One step of h, after which one of `next` is expected
+//- One step of h but for its second kick, after which one of `next` is expected
 void IslandIntegrator::step(double h, double next, StepReport& report)
 {
     prepareSprings(h);
@@ -811,23 +835,37 @@ void IslandIntegrator::step(double h, double next, StepReport& report)
     fastest_ = std::sqrt(fastest);
     moved_ += fastest_*h;
     if (2*moved_ > 0.5*skin_) refreshNear();
-
-    updateWalls();
-    evaluate({h, 0.5*h, 0.5*next}, report);
+    else updateWalls();
+    ended_ = evaluate({h, 0.5*h, 0.5*next}, report);
     ahead_ = next;
+    owed_ = h;
+}
 
+
+//- The second kick of the last step: velocities are those at the end of the step
+void IslandIntegrator::complete()
+{
+    if (owed_ == 0) return;
     for (const int i : awake_)
     {
         Body& b = bodies_[std::size_t(i)];
         const Load& l = loads_[std::size_t(i)];
-        const Kick& kick = kicks_[std::size_t(i)];
-        const double push = 0.5*h*kick.invM, turn = 0.5*h*kick.invI;
+        Motion& m = motion_[std::size_t(i)];
+        const double push = 0.5*owed_*b.invM, turn = 0.5*owed_*b.invI;
         for (int d = 0; d < 3; ++d)
         {
-            b.v[d] = kick.v[d] + push*l.f[d];
-            b.w[d] = kick.w[d] + turn*l.t[d];
+            b.v[d] = m.v[d] += push*l.f[d];
+            b.w[d] = m.w[d] += turn*l.t[d];
         }
     }
+    owed_ = 0;
+}
+
+
+double IslandIntegrator::inertia(std::size_t i) const
+{
+    const Particle& p = particles_[i];
+    return 0.4*p.mass*p.radius*p.radius;
 }
 
 
@@ -835,6 +873,7 @@ void IslandIntegrator::step(double h, double next, StepReport& report)
 void IslandIntegrator::prepareSprings(double h)
 {
     if (h == ahead_) return;
+    complete();
     const SpringStep step{0, -0.5*ahead_, 0.5*h};
     for (std::size_t l = 0; l < lists_.size(); ++l)
     {
@@ -991,7 +1030,7 @@ double IslandIntegrator::timeToTouch(bool contact) const
     if (contact)
     {
         for (const int c : near_) pair(candidates_[std::size_t(c)]);
-        for (const int i : awake_)
+        for (const int i : nearWalls_)
         {
             const std::size_t k = std::size_t(i);
             for (std::size_t c = 0; c < hits_[k].size(); ++c)
@@ -1121,7 +1160,7 @@ void IslandIntegrator::checkRest(double elapsed, StepReport& report)
         }
         const Body& b = bodies_[k];
         const Vec3 v = vec(b.v), omega = vec(b.w);
-        const double energy = 0.5*(b.m*v.squaredNorm() + b.I*omega.squaredNorm());
+        const double energy = 0.5*(mass(k)*v.squaredNorm() + inertia(k)*omega.squaredNorm());
         const Vec3 force =
             vec(loads_[k].f) + gas_[k].Sp*(gas_[k].Uc - v) + gas_[k].Su;
         const double tolerance = time_.restTolerance;
@@ -1181,11 +1220,9 @@ void IslandIntegrator::checkRest(double elapsed, StepReport& report)
         }
         Body& b = bodies_[k];
         report.energyRemovedByRest +=
-            0.5*(b.m*vec(b.v).squaredNorm() + b.I*vec(b.w).squaredNorm());
-        for (int d = 0; d < 3; ++d)
-        {
-            b.v[d] = b.w[d] = 0;
-        }
+            0.5*(mass(k)*vec(b.v).squaredNorm() + inertia(k)*vec(b.w).squaredNorm());
+        for (int d = 0; d < 3; ++d) b.v[d] = b.w[d] = 0;
+        motion_[k] = {};
         RestState& rest = rest_[k];
         rest.resting = true;
         const Vec3 gasForce = gasForceAtRest(gas_[k]);
@@ -1249,8 +1286,8 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
 {
     const std::size_t n = particles_.size();
     bodies_.resize(n);
-    kicks_.resize(n);
-    ahead_ = 0;
+    motion_.assign(n, Motion{});
+    ahead_ = owed_ = contactStep_ = 0;
     loads_.assign(n, Load{});
     awake_.clear();
     smallest_ = 1e300;
@@ -1264,18 +1301,15 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
     {
         const Particle& p = particles_[i];
         Body& b = bodies_[i];
-        const double inertia = 0.4*p.mass*p.radius*p.radius;
         for (int d = 0; d < 3; ++d)
         {
             b.x[d] = p.x[d];
-            b.v[d] = p.v[d];
-            b.w[d] = p.omega[d];
+            b.v[d] = motion_[i].v[d] = p.v[d];
+            b.w[d] = motion_[i].w[d] = p.omega[d];
         }
         b.r = p.radius;
-        b.m = p.mass;
-        b.I = inertia;
-        kicks_[i].invM = 1/p.mass;
-        kicks_[i].invI = 1/inertia;
+        b.invM = 1/p.mass;
+        b.invI = 1/inertia(i);
         smallest_ = std::min(smallest_, p.radius);
         if (!rest_[i].resting) awake_.push_back(int(i));
     }
@@ -1304,12 +1338,13 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
     for (const int i : awake_)
     {
         const std::size_t k = std::size_t(i);
-        const FlightFactors f(gas_[k].Sp*kicks_[k].invM, dt);
+        const FlightFactors f(gas_[k].Sp*bodies_[k].invM, dt);
         speedBound = std::max
         (
             speedBound, vec(bodies_[k].v).norm() + accelerationBound(i)*f.p1
         );
     }
+    fastest_ = speedBound;
     refreshNear();
     for (std::size_t i = 0; i < n; ++i)
     {
@@ -1318,7 +1353,7 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
     findBoundary();
 
     updateWalls();
-    evaluate({}, report);
+    ended_ = evaluate({}, report);
     endMarked(report);
     form(report);
 
@@ -1337,6 +1372,7 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
         {
             if (looked >= lookInterval)
             {
+                complete();
                 contactStep(time + t, report);      // only to watch
                 h = left/std::ceil(left/stiffest*(1 - 1e-12));
                 looked = 0;
@@ -1351,13 +1387,17 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
             if (looked >= lookInterval)
             {
                 // equal steps up to the end of the particle step
+                complete();
                 h = contactStep(time + t, report);
                 h = left/std::ceil(left/h*(1 - 1e-12));
+                contactStep_ = h;
+                if (skin_ > 4*200*fastest_*h && skin_ > 4e-3*smallest_) refreshNear();
                 looked = 0;
             }
             now = left < 1.5*h ? left : h;
             if (exactEvents_ && shortened < 3)
             {
+                if (2*(moved_ + fastest_*now) > 0.5*skin_) refreshNear();
                 const double event = std::min(timeToTouch(true), timeToEnd(now));
                 if (event < now)
                 {
@@ -1394,16 +1434,20 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
         step(now, std::min(h, left - now), report);
         t = now < left ? t + now : dt;
 
+        if (exactEvents_) complete();
         wakeLoaded(report);
         bool event = endMarked(report);
         event = form(report) || event;
         if (event && exactEvents_) looked = lookInterval;
         if (looked >= lookInterval && sinceLook > 0)
         {
+            complete();
             checkRest(sinceLook, report);
             sinceLook = 0;
         }
     }
+
+    complete();
 
     // steps in the shortest contact, as taken
     if (anyContact())

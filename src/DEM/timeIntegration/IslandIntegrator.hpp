@@ -130,11 +130,10 @@ private:
         double pullOff, delta, yield;
     };
 
-    //- What the kicks need besides the kernels' view of a particle
-    struct Kick
+    //- Velocities before the kick that still is to come (complete()); fourth components zero
+    struct alignas(32) Motion
     {
-        double invM, invI;      // [1/kg], [1/(kg m2)]
-        double v[3], w[3];      // at half step
+        double v[4], w[4];      // [m/s], [rad/s]
     };
 
     //- Flight over the current h, per particle
@@ -163,8 +162,11 @@ private:
     void step(double h, double next, StepReport& report);
     void prepareSprings(double h);
     template<bool gas> double drift(double h);
+    void complete();
     void setFlight(double h);
-    void evaluate(const SpringStep& step, StepReport& report);
+    bool evaluate(const SpringStep& step, StepReport& report);
+    double mass(std::size_t i) const { return particles_[i].mass; }
+    double inertia(std::size_t i) const;
     void updateWalls();
     void refreshNear();
     double contactStep(double time, StepReport& report);
@@ -173,7 +175,7 @@ private:
     double timeToEnd(double h) const;
     void checkRest(double elapsed, StepReport& report);
     double gap(const Candidate& c, Vec3& n) const;
-    bool meets(const Candidate& c) const;
+    bool meets(const Candidate& c, double margin = 0) const;
     double wallTouch(int i, int patch) const;
     double accelerationBound(int i) const;
     bool anyContact() const;
@@ -195,7 +197,7 @@ private:
     std::vector<int> surfaces_;
 
     std::vector<Body> bodies_;
-    std::vector<Kick> kicks_;
+    std::vector<Motion> motion_;
     std::vector<Load> loads_;
     std::vector<Flight> flight_;
     std::vector<int> awake_;
@@ -204,6 +206,7 @@ private:
     std::vector<int> freeEntries_;
     std::vector<int> near_;                 // candidates within the skin
     std::vector<std::vector<int>> nearSurfaces_;
+    std::vector<int> nearWalls_;            // awake, with near surfaces
     std::vector<std::vector<WallHit>> hits_;
     std::vector<std::vector<char>> hitTaken_;
     std::vector<Weakest> weakest_;
@@ -214,6 +217,9 @@ private:
     std::vector<std::vector<double>> wallTouch_;    // [m], by material and patch
 
     double ahead_ = 0;          // [s] step by half of which the springs are ahead
+    double owed_ = 0;           // [s] step of which the second kick is still to come
+    bool ended_ = false;        // evaluate() has found contacts that end
+    double contactStep_ = 0;    // [s] as it is now, 0 = not known
     double flightStep_ = -1;    // h that flight_ is made for
     double skin_ = 0;           // [m] how far beyond touch near_ looks
     double moved_ = 0;          // [m] path of the fastest since refreshNear()

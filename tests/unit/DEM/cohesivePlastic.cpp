@@ -230,7 +230,9 @@ TEST(cohesivePlastic, lanesDoNotMix)
         single.evaluate(0, false);
         for (std::size_t k = 0; k < placed.size(); ++k)
         {
-            EXPECT_EQ(together.loads(k).forceI, single.loads(k).forceI);
+            // to round-off: products and sums may be fused in one of the two
+            const dem::Vec3 force = single.loads(k).forceI;
+            EXPECT_LE((together.loads(k).forceI - force).norm(), 1e-13*force.norm());
             EXPECT_EQ(together.history(k), single.history(k));
         }
     }

@@ -17,6 +17,7 @@
 #include "contactModels/contactModel/none.hpp"
 #include "timeIntegration/contactPeriod.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <type_traits>
@@ -59,276 +60,456 @@ class Composite : public ContactLaw
     std::vector<Pair> pairs_;
 
 
+    //- What is the same for all contacts of one evaluation
+    template<class Real>
+    struct Shared
+    {
+        Real before, after;         // SpringStep
+        Real minusTurned, halfTurned;
+        V3<Real> period, inversePeriod;
+
+        Shared(const SpringStep& step, const double* length)
+        :
+            before(step.before), after(step.after),
+            minusTurned(-step.turned), halfTurned(0.5*step.turned)
+        {
+            if (!length) return;
+            period = {Real(length[0]), Real(length[1]), Real(length[2])};
+            inversePeriod = {Real(1/length[0]), Real(1/length[1]), Real(1/length[2])};
+        }
+    };
+
     //- The nearest image of a difference along one axis
     template<class Real>
-    [[gnu::always_inline]] static Real nearest(const Real& d, double length)
+    [[gnu::always_inline]] static Real nearest
+    (
+        const Real& d, const Real& period, const Real& inversePeriod
+    )
     {
-        const Real half(0.5*length), whole(length);
-        return select(d > half, d - whole, select(d < -half, d + whole, d));
+        return d - period*rounded(d*inversePeriod);
     }
 
     enum Partner { wallPartner, pairPartner, imagePartner };
 
-    template<class Real, Partner partner>
-    static bool evaluate
+    //- Where the columns of a list begin
+    struct Columns
+    {
+        const int* i;
+        const int* j;
+        double* overlap;
+        const double* n[3];
+        char* ended;
+        struct Constant
+        {
+            const double* column;
+            std::size_t step;       // all bits; 0 where all contacts have the same value
+            alignas(Pack) double same[packWidth];
+        };
+        Constant c[nC > 0 ? nC : 1];
+        double* h[nH > 0 ? nH : 1];
+
+        Columns(const Columns&) = delete;
+        explicit Columns(ContactList& list)
+        :
+            i(list.i.data()),
+            j(list.j.data()),
+            overlap(list.overlap.data()),
+            n{list.nx.data(), list.ny.data(), list.nz.data()},
+            ended(list.ended.data())
+        {
+            for (int a = 0; a < nC && list.size(); ++a)
+            {
+                const std::vector<double>& column = list.constants[std::size_t(a)];
+                const bool same = list.same[std::size_t(a)];
+                std::fill(c[a].same, c[a].same + packWidth, column[0]);
+                c[a].column = same ? c[a].same : column.data();
+                c[a].step = same ? 0 : ~std::size_t(0);
+            }
+            for (int a = 0; a < nH; ++a) h[a] = list.history[std::size_t(a)].data();
+        }
+    };
+
+    //- What one stage hands on to the next, for as many contacts as a Real holds
+    template<class Real>
+    struct Stage
+    {
+        Real ri, rj, overlap, inverseDistance, vn;
+        V3<Real> n, dn, slipV, wRel;
+        Real twistMean;
+        NormalResponse<Real> normal;    // without `remaining`
+        V3<Real> force, torqueI, torqueJ;
+    };
+
+    template<class Real>
+    [[gnu::always_inline]] static V4<Real> gather
     (
-        ContactList& list, std::size_t k,
-        const Body* bodies, Load* loads, const SpringStep& step, double sign,
-        const double* period
+        const Body* bodies, const int* index, double (Body::*member)[3]
     )
     {
-        constexpr bool wall = partner == wallPartner;
-        constexpr int width = laneCount<Real>;
-        (void)period;
+        const double* from[laneCount<Real>];
+        for (int l = 0; l < laneCount<Real>; ++l) from[l] = (bodies + index[l])->*member;
+        return gather4<Real>(from);
+    }
 
-        const Body* bi[width];
-        const Body* bj[width];
-        for (int l = 0; l < width; ++l)
+    template<class Real>
+    [[gnu::always_inline]] static V3<Real> load3(double* const* column, std::size_t k)
+    {
+        return
         {
-            bi[l] = bodies + list.i[k + std::size_t(l)];
-            if constexpr (!wall) bj[l] = bodies + list.j[k + std::size_t(l)];
-        }
-        const auto gather = [&](const Body* const* b, double (Body::*member)[3])
-        {
-            const double* from[width];
-            for (int l = 0; l < width; ++l) from[l] = b[l]->*member;
-            return gather4<Real>(from);
+            loadReal<Real>(column[0] + k), loadReal<Real>(column[1] + k),
+            loadReal<Real>(column[2] + k)
         };
+    }
 
-        // Geometry; a radius follows each position
-        const V4<Real> xi4 = gather(bi, &Body::x);
-        const Real ri = xi4.w;
-        Real rj(0);
-        Real inverseDistance(0);
-        V3<Real> n;
-        Real overlap;
-        V3<Real> v = gather(bi, &Body::v).v;
-        if constexpr (wall)
+    template<class Real>
+    [[gnu::always_inline]] static void store3
+    (
+        double* const* column, std::size_t k, const V3<Real>& v
+    )
+    {
+        storeReal<Real>(column[0] + k, v.x);
+        storeReal<Real>(column[1] + k, v.y);
+        storeReal<Real>(column[2] + k, v.z);
+    }
+
+    template<class Real, int count>
+    [[gnu::always_inline]] static void loadConstants
+    (
+        const Columns& list, int first, std::size_t k, Real* c
+    )
+    {
+        for (int a = 0; a < count; ++a)
         {
-            n = {loadReal<Real>(&list.nx[k]), loadReal<Real>(&list.ny[k]), loadReal<Real>(&list.nz[k])};
-            overlap = loadReal<Real>(&list.overlap[k]);
+            const auto& constant = list.c[first + a];
+            c[a] = loadReal<Real>(constant.column + (k & constant.step));
+        }
+    }
+
+
+    //- Where the partners are
+    template<class Real, Partner partner>
+    [[gnu::always_inline]] static void locate
+    (
+        const Columns& list, std::size_t k, const Body* bodies,
+        const Shared<Real>& shared, Stage<Real>& s
+    )
+    {
+        // a radius follows each position
+        const V4<Real> xi4 = gather<Real>(bodies, list.i + k, &Body::x);
+        s.ri = xi4.w;
+        if constexpr (partner == wallPartner)
+        {
+            s.rj = Real(0);
+            s.inverseDistance = Real(0);
+            s.n =
+            {
+                loadReal<Real>(list.n[0] + k), loadReal<Real>(list.n[1] + k),
+                loadReal<Real>(list.n[2] + k)
+            };
+            s.overlap = loadReal<Real>(list.overlap + k);
         }
         else
         {
-            const V4<Real> xj4 = gather(bj, &Body::x);
-            rj = xj4.w;
+            const V4<Real> xj4 = gather<Real>(bodies, list.j + k, &Body::x);
+            s.rj = xj4.w;
             V3<Real> d = xj4.v - xi4.v;
             if constexpr (partner == imagePartner)
             {
-                d.x = nearest(d.x, period[0]);
-                d.y = nearest(d.y, period[1]);
-                d.z = nearest(d.z, period[2]);
+                d.x = nearest(d.x, shared.period.x, shared.inversePeriod.x);
+                d.y = nearest(d.y, shared.period.y, shared.inversePeriod.y);
+                d.z = nearest(d.z, shared.period.z, shared.inversePeriod.z);
             }
             const Real distance = squareRoot(maximum(dot(d, d), Real(1e-290)));
-            inverseDistance = Real(1)/distance;
-            n = inverseDistance*d;
-            overlap = ri + rj - distance;
-            storeReal<Real>(&list.overlap[k], overlap);
-            v = v - gather(bj, &Body::v).v;
+            s.inverseDistance = Real(1)/distance;
+            s.n = s.inverseDistance*d;
+            s.overlap = s.ri + s.rj - distance;
+            storeReal<Real>(list.overlap + k, s.overlap);
         }
+    }
 
-        Real c[nC > 0 ? nC : 1];
-        for (int a = 0; a < nC; ++a) c[a] = loadReal<Real>(&list.constants[std::size_t(a)][k]);
 
-        // Normal
-        Real memory[Normal::nHistory > 0 ? Normal::nHistory : 1];
-        for (int a = 0; a < Normal::nHistory; ++a)
-        {
-            memory[a] = loadReal<Real>(&list.history[std::size_t(a)][k]);
-        }
-        const auto normal = Normal::template evaluate<Real>(c, overlap, memory);
-        for (int a = 0; a < Normal::nHistory; ++a)
-        {
-            storeReal<Real>(&list.history[std::size_t(a)][k], memory[a]);
-        }
-        const Real vn = dot(v, n);
-        const Real push = normal.elastic + normal.damping*vn;
-        V3<Real> force = (-push)*n;
-        V3<Real> torqueI{Real(0), Real(0), Real(0)};
-        V3<Real> torqueJ = torqueI;
+    //- How they move against each other
+    template<class Real, Partner partner>
+    [[gnu::always_inline]] static void approach
+    (
+        const Columns& list, std::size_t k, const Body* bodies,
+        const Shared<Real>& shared, Stage<Real>& s
+    )
+    {
+        constexpr bool wall = partner == wallPartner;
+        V3<Real> v = gather<Real>(bodies, list.i + k, &Body::v).v;
+        if constexpr (!wall) v = v - gather<Real>(bodies, list.j + k, &Body::v).v;
+        s.vn = dot(v, s.n);
 
         if constexpr (spin)
         {
-            const V3<Real> wi = gather(bi, &Body::w).v;
-            V3<Real> wRel = wi;
-            V3<Real> wSum = wi;
-            V3<Real> arm = ri*wi;
+            V3<Real> wRel = gather<Real>(bodies, list.i + k, &Body::w).v;
+            V3<Real> wSum = wRel;
+            V3<Real> arm = s.ri*wRel;
             if constexpr (!wall)
             {
-                const V3<Real> wj = gather(bj, &Body::w).v;
+                const V3<Real> wj = gather<Real>(bodies, list.j + k, &Body::w).v;
                 wRel = wRel - wj;
                 wSum = wSum + wj;
-                arm = arm + rj*wj;
+                arm = arm + s.rj*wj;
             }
-            const V3<Real> vt = v - vn*n;
-            const V3<Real> slipV = vt + cross(arm, n);
-            const Real before(step.before), after(step.after);
+            const V3<Real> vt = v - s.vn*s.n;
+            s.slipV = vt + cross(arm, s.n);
+            s.wRel = wRel;
 
             // How the normal has turned since the last evaluation (on a wall that is not
             // known), and the pair about it: by the mean of the two spins, a wall's is 0.
-            const V3<Real> dn = (Real(-step.turned)*inverseDistance)*vt;
-            const Real twistMean = Real(0.5*step.turned)*dot(wSum, n);
-            const auto turn = [&](const V3<Real>& spring)
+            if constexpr (!wall) s.dn = (shared.minusTurned*s.inverseDistance)*vt;
+            s.twistMean = shared.halfTurned*dot(wSum, s.n);
+        }
+    }
+
+
+    template<class Real>
+    [[gnu::always_inline]] static bool press
+    (
+        const Columns& list, std::size_t k, Stage<Real>& s
+    )
+    {
+        Real c[Normal::nConstants];
+        loadConstants<Real, Normal::nConstants>(list, 0, k, c);
+        Real memory[Normal::nHistory > 0 ? Normal::nHistory : 1];
+        for (int a = 0; a < Normal::nHistory; ++a)
+        {
+            memory[a] = loadReal<Real>(list.h[a] + k);
+        }
+        // one by one: a copy of the whole goes through memory in pieces
+        const NormalResponse<Real> normal =
+            Normal::template evaluate<Real>(c, s.overlap, memory);
+        s.normal.elastic = normal.elastic;
+        s.normal.damping = normal.damping;
+        s.normal.radius = normal.radius;
+        s.normal.strength = normal.strength;
+        if constexpr (!Normal::elastic)
+        {
+            s.normal.buildUp = normal.buildUp;
+            s.normal.buildUpBefore = normal.buildUpBefore;
+            s.normal.radiusKept = normal.radiusKept;
+        }
+        for (int a = 0; a < Normal::nHistory; ++a)
+        {
+            storeReal<Real>(list.h[a] + k, memory[a]);
+        }
+        const Real push = normal.elastic + normal.damping*s.vn;
+        s.force = (-push)*s.n;
+
+        const bool anyOver = any(normal.remaining < Real(0));
+        for (int l = 0; l < laneCount<Real>; ++l) list.ended[k + std::size_t(l)] = 0;
+        if (anyOver)
+        {
+            for (int l = 0; l < laneCount<Real>; ++l)
             {
-                if constexpr (wall) return turned(spring, n, twistMean);
-                else return turned(spring, n, dn, twistMean);
-            };
+                list.ended[k + std::size_t(l)] = lane(normal.remaining, l) < 0;
+            }
+        }
+        return anyOver;
+    }
 
-            // What friction presses on: the pull-off force as past loads have left it
-            Real pressed = normal.elastic;
-            if constexpr (!Normal::elastic) pressed = pressed + normal.buildUp;
 
-            // A law that acts at a distance has no spot to resist with before contact
-            Real spot(1);
+    //- Sliding, rolling, twisting
+    template<class Real, Partner partner>
+    [[gnu::always_inline]] static void resist
+    (
+        const Columns& list, std::size_t k, const Shared<Real>& shared, Stage<Real>& s
+    )
+    {
+        constexpr bool wall = partner == wallPartner;
+        const NormalResponse<Real>& normal = s.normal;
+        const Real& before = shared.before;
+        const Real& after = shared.after;
+        const auto turn = [&](const V3<Real>& spring)
+        {
+            if constexpr (wall) return turned(spring, s.n, s.twistMean);
+            else return turned(spring, s.n, s.dn, s.twistMean);
+        };
+
+        // What friction presses on: the pull-off force as past loads have left it
+        Real pressed = normal.elastic;
+        if constexpr (!Normal::elastic) pressed = pressed + normal.buildUp;
+
+        // A law that acts at a distance has no spot to resist with before contact
+        Real spot(1);
+        if constexpr (Normal::atDistance)
+        {
+            spot = select(normal.radius > Real(0), Real(1), Real(0));
+        }
+
+        V3<Real> torqueI{Real(0), Real(0), Real(0)};
+        V3<Real> torqueJ = torqueI;
+        Real twistingLimit(0);
+        if constexpr (Tangential::on)
+        {
+            Real c[Tangential::nConstants];
+            loadConstants<Real, Tangential::nConstants>(list, cT, k, c);
+            V3<Real> xi = turn(load3<Real>(list.h + hT, k));
+            if constexpr (!Normal::elastic) xi = Tangential::kept(c, normal)*xi;
+            const V3<Real> ft = Tangential::template evaluate<Real>
+            (
+                c, pressed, normal.damping, normal.radius, before*s.slipV, s.slipV, xi
+            );
+            if constexpr (Normal::atDistance) xi = spot*xi;
+            store3<Real>(list.h + hT, k, xi + after*s.slipV);
+            if constexpr (Twisting::limitedBySliding)
+            {
+                twistingLimit = Tangential::template limit<Real>(c, pressed);
+            }
+            s.force = s.force + ft;
+            const V3<Real> nxf = cross(s.n, ft);
+            torqueI = s.ri*nxf;
+            torqueJ = s.rj*nxf;
+        }
+
+        if constexpr (Rolling::on)
+        {
+            Real c[Rolling::nConstants];
+            loadConstants<Real, Rolling::nConstants>(list, cR, k, c);
+            // the last two constants of every rolling part
+            const Real skew = c[Rolling::nConstants - 2];
+            const Real R = c[Rolling::nConstants - 1];
+            const V3<Real> rollV = R*cross(s.wRel, s.n) + skew*s.slipV;
+            V3<Real> xi = turn(load3<Real>(list.h + hR, k));
+            if constexpr (!Normal::elastic) xi = Rolling::kept(c, normal)*xi;
+            V3<Real> M = Rolling::template evaluate<Real>(c, normal, before*rollV, rollV, xi);
             if constexpr (Normal::atDistance)
             {
-                spot = select(normal.radius > Real(0), Real(1), Real(0));
+                xi = spot*xi;
+                M = spot*M;
             }
-
-            Real twistingLimit(0);
-            if constexpr (Tangential::on)
+            if constexpr (Twisting::limitedByBending)
             {
-                V3<Real> xi
-                {
-                    loadReal<Real>(&list.history[hT][k]),
-                    loadReal<Real>(&list.history[hT + 1][k]),
-                    loadReal<Real>(&list.history[hT + 2][k])
-                };
-                xi = turn(xi);
-                if constexpr (!Normal::elastic) xi = Tangential::kept(c + cT, normal)*xi;
-                const V3<Real> ft = Tangential::template evaluate<Real>
-                (
-                    c + cT, pressed, normal.damping, normal.radius,
-                    before*slipV, slipV, xi
-                );
-                if constexpr (Normal::atDistance) xi = spot*xi;
-                xi = xi + after*slipV;
-                storeReal<Real>(&list.history[hT][k], xi.x);
-                storeReal<Real>(&list.history[hT + 1][k], xi.y);
-                storeReal<Real>(&list.history[hT + 2][k], xi.z);
-                if constexpr (Twisting::limitedBySliding)
-                {
-                    twistingLimit = Tangential::template limit<Real>(c + cT, pressed);
-                }
-
-                force = force + ft;
-                const V3<Real> nxf = cross(n, ft);
-                torqueI = ri*nxf;
-                torqueJ = rj*nxf;
+                twistingLimit = Rolling::template limit<Real>(c, normal);
             }
-
-            if constexpr (Rolling::on)
-            {
-                // the last two constants of every rolling part
-                const Real skew = c[cR + Rolling::nConstants - 2];
-                const Real R = c[cR + Rolling::nConstants - 1];
-                const V3<Real> rollV = R*cross(wRel, n) + skew*slipV;
-                V3<Real> xi
-                {
-                    loadReal<Real>(&list.history[hR][k]),
-                    loadReal<Real>(&list.history[hR + 1][k]),
-                    loadReal<Real>(&list.history[hR + 2][k])
-                };
-                xi = turn(xi);
-                if constexpr (!Normal::elastic) xi = Rolling::kept(c + cR, normal)*xi;
-                V3<Real> M = Rolling::template evaluate<Real>
-                (
-                    c + cR, normal, before*rollV, rollV, xi
-                );
-                if constexpr (Normal::atDistance)
-                {
-                    xi = spot*xi;
-                    M = spot*M;
-                }
-                if constexpr (Twisting::limitedByBending)
-                {
-                    twistingLimit = Rolling::template limit<Real>(c + cR, normal);
-                }
-                xi = xi + after*rollV;
-                storeReal<Real>(&list.history[hR][k], xi.x);
-                storeReal<Real>(&list.history[hR + 1][k], xi.y);
-                storeReal<Real>(&list.history[hR + 2][k], xi.z);
-                const V3<Real> nxm = cross(n, M);
-                torqueI = torqueI - nxm;
-                torqueJ = torqueJ + nxm;
-            }
-
-            if constexpr (Twisting::on)
-            {
-                const Real spinN = dot(wRel, n);
-                Real xi = loadReal<Real>(&list.history[hW][k]);
-                if constexpr (!Normal::elastic) xi = Twisting::kept(c + cW, normal)*xi;
-                Real moment = Twisting::template evaluate<Real>
-                (
-                    c + cW, normal, twistingLimit,
-                    before*spinN, spinN, xi
-                );
-                if constexpr (Normal::atDistance)
-                {
-                    xi = spot*xi;
-                    moment = spot*moment;
-                }
-                xi = xi + after*spinN;
-                storeReal<Real>(&list.history[hW][k], xi);
-                torqueI = torqueI + moment*n;
-                torqueJ = torqueJ - moment*n;
-            }
+            store3<Real>(list.h + hR, k, xi + after*rollV);
+            const V3<Real> nxm = cross(s.n, M);
+            torqueI = torqueI - nxm;
+            torqueJ = torqueJ + nxm;
         }
 
-        // Loads, lane by lane: two of them may meet in one particle
-        double* fi[width];
-        double* ti[width];
-        for (int l = 0; l < width; ++l)
+        if constexpr (Twisting::on)
         {
-            Load& load = loads[list.i[k + std::size_t(l)]];
-            fi[l] = load.f;
-            ti[l] = load.t;
-        }
-        const Real plus(sign);
-        addTo<Real>(fi, plus*force);
-        if constexpr (spin) addTo<Real>(ti, plus*torqueI);
-        if constexpr (!wall)
-        {
-            for (int l = 0; l < width; ++l)
+            Real c[Twisting::nConstants];
+            loadConstants<Real, Twisting::nConstants>(list, cW, k, c);
+            const Real spinN = dot(s.wRel, s.n);
+            Real xi = loadReal<Real>(list.h[hW] + k);
+            if constexpr (!Normal::elastic) xi = Twisting::kept(c, normal)*xi;
+            Real moment = Twisting::template evaluate<Real>
+            (
+                c, normal, twistingLimit, before*spinN, spinN, xi
+            );
+            if constexpr (Normal::atDistance)
             {
-                Load& load = loads[list.j[k + std::size_t(l)]];
-                fi[l] = load.f;
-                ti[l] = load.t;
+                xi = spot*xi;
+                moment = spot*moment;
             }
-            addTo<Real>(fi, (-plus)*force);
-            if constexpr (spin) addTo<Real>(ti, plus*torqueJ);
+            storeReal<Real>(list.h[hW] + k, xi + after*spinN);
+            torqueI = torqueI + moment*s.n;
+            torqueJ = torqueJ - moment*s.n;
         }
+        s.torqueI = torqueI;
+        s.torqueJ = torqueJ;
+    }
 
-        bool anyEnded = false;
-        for (int l = 0; l < width; ++l)
+
+    //- Loads, contact by contact: two of them may meet in one particle
+    template<class Real, Partner partner>
+    [[gnu::always_inline]] static void deliver
+    (
+        const Columns& list, std::size_t k, Load* loads, const Stage<Real>& s
+    )
+    {
+        addTo<Real>(loads, list.i + k, &Load::f, s.force);
+        if constexpr (spin) addTo<Real>(loads, list.i + k, &Load::t, s.torqueI);
+        if constexpr (partner != wallPartner)
         {
-            const bool over = lane(normal.remaining, l) < 0;
-            list.ended[k + std::size_t(l)] = over;
-            anyEnded = anyEnded || over;
+            addTo<Real, -1>(loads, list.j + k, &Load::f, s.force);
+            if constexpr (spin) addTo<Real>(loads, list.j + k, &Load::t, s.torqueJ);
         }
-        return anyEnded;
+    }
+
+
+    //- One stage after the other over a block: so the processor has the next contacts to
+    //  work on while the roots and quotients of some are on their way
+    template<class Real, Partner partner, int groups>
+    [[gnu::always_inline]] static bool evaluateBlock
+    (
+        const Columns& list, std::size_t k, int n,
+        const Body* bodies, Load* loads, const Shared<Real>& shared, double sign
+    )
+    {
+        constexpr std::size_t width = laneCount<Real>;
+        Stage<Real> stages[groups];
+        bool ended = false;
+        for (int g = 0; g < n; ++g)
+        {
+            locate<Real, partner>(list, k + width*g, bodies, shared, stages[g]);
+        }
+        for (int g = 0; g < n; ++g)
+        {
+            approach<Real, partner>(list, k + width*g, bodies, shared, stages[g]);
+        }
+        for (int g = 0; g < n; ++g)
+        {
+            ended |= press<Real>(list, k + width*g, stages[g]);
+        }
+        if constexpr (spin)
+        {
+            for (int g = 0; g < n; ++g)
+            {
+                resist<Real, partner>(list, k + width*g, shared, stages[g]);
+            }
+        }
+        if (sign == 0) return ended;
+        for (int g = 0; g < n; ++g)
+        {
+            Stage<Real>& s = stages[g];
+            if (sign < 0)
+            {
+                s.force = Real(-1)*s.force;
+                s.torqueI = Real(-1)*s.torqueI;
+                s.torqueJ = Real(-1)*s.torqueJ;
+            }
+            deliver<Real, partner>(list, k + width*g, loads, s);
+        }
+        return ended;
     }
 
 
     template<Partner partner>
     static bool evaluateRange
     (
-        ContactList& list, std::size_t begin, std::size_t end,
+        ContactList& contacts, std::size_t begin, std::size_t end,
         const Body* bodies, Load* loads, const SpringStep& step, double sign,
         const double* period
     )
     {
-        bool anyEnded = false;
+        constexpr int groups = 16;
+        const Columns list(contacts);
+        const Shared<Pack> shared(step, period);
+        bool ended = false;
         std::size_t k = begin;
-        for (; k + packWidth <= end; k += packWidth)
+        while (k + packWidth <= end)
         {
-            anyEnded |= evaluate<Pack, partner>(list, k, bodies, loads, step, sign, period);
+            const int n = int(std::min<std::size_t>(groups, (end - k)/packWidth));
+            ended |= evaluateBlock<Pack, partner, groups>
+            (
+                list, k, n, bodies, loads, shared, sign
+            );
+            k += std::size_t(n)*packWidth;
         }
+        const Shared<double> single(step, period);
         for (; k < end; ++k)
         {
-            anyEnded |= evaluate<double, partner>(list, k, bodies, loads, step, sign, period);
+            ended |= evaluateBlock<double, partner, 1>
+            (
+                list, k, 1, bodies, loads, single, sign
+            );
         }
-        return anyEnded;
+        return ended;
     }
 
 

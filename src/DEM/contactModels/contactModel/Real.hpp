@@ -43,6 +43,12 @@ inline constexpr int packWidth = int(Pack::size());
 [[gnu::always_inline]] inline double magnitude(double a) { return std::fabs(a); }
 [[gnu::always_inline]] inline Pack magnitude(const Pack& a) { return std::experimental::abs(a); }
 
+[[gnu::always_inline]] inline double rounded(double a) { return std::nearbyint(a); }
+[[gnu::always_inline]] inline Pack rounded(const Pack& a)
+{
+    return std::experimental::nearbyint(a);
+}
+
 //- Three Reals. Plain, so that the compiler keeps it in registers.
 template<class Real>
 struct V3

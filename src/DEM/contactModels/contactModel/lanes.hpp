@@ -6,6 +6,7 @@
 #pragma once
 
 #include "contactModels/contactModel/Real.hpp"
+#include "contacts/ContactList.hpp"
 
 #include <type_traits>
 #if defined(__AVX2__)
@@ -58,18 +59,24 @@ template<class Real>
 #if defined(__AVX2__)
     else if constexpr (packWidth == 4)
     {
-        const __m256d a = _mm256_load_pd(from[0]), b = _mm256_load_pd(from[1]);
-        const __m256d c = _mm256_load_pd(from[2]), d = _mm256_load_pd(from[3]);
-        const __m256d ab0 = _mm256_unpacklo_pd(a, b), ab1 = _mm256_unpackhi_pd(a, b);
-        const __m256d cd0 = _mm256_unpacklo_pd(c, d), cd1 = _mm256_unpackhi_pd(c, d);
+        // lanes 0 and 2, and 1 and 3, side by side: the second half comes by the load
+        const auto halves = [&](int l, int k)
+        {
+            return _mm256_insertf128_pd
+            (
+                _mm256_castpd128_pd256(_mm_load_pd(from[l] + k)),
+                _mm_load_pd(from[l + 2] + k), 1
+            );
+        };
+        const __m256d even = halves(0, 0), odd = halves(1, 0);
+        const __m256d even2 = halves(0, 2), odd2 = halves(1, 2);
         return
         {
             {
-                Real(_mm256_permute2f128_pd(ab0, cd0, 0x20)),
-                Real(_mm256_permute2f128_pd(ab1, cd1, 0x20)),
-                Real(_mm256_permute2f128_pd(ab0, cd0, 0x31))
+                Real(_mm256_unpacklo_pd(even, odd)), Real(_mm256_unpackhi_pd(even, odd)),
+                Real(_mm256_unpacklo_pd(even2, odd2))
             },
-            Real(_mm256_permute2f128_pd(ab1, cd1, 0x31))
+            Real(_mm256_unpackhi_pd(even2, odd2))
         };
     }
 #endif
@@ -83,9 +90,13 @@ template<class Real>
     }
 }
 
-//- Add to the four doubles at to[l], lane by lane in order: two lanes may be the same particle
-template<class Real>
-[[gnu::always_inline]] inline void addTo(double* const* to, const V3<Real>& v)
+//- Add sign*v to a member of the loads of particles index[0..], lane by lane in order: two
+//  lanes may be the same particle
+template<class Real, int sign = 1>
+[[gnu::always_inline]] inline void addTo
+(
+    Load* loads, const int* index, double (Load::*member)[4], const V3<Real>& v
+)
 {
 #if defined(__AVX2__)
     if constexpr (!std::is_same_v<Real, double> && packWidth == 4)
@@ -103,7 +114,12 @@ template<class Real>
         };
         for (int l = 0; l < 4; ++l)
         {
-            _mm256_store_pd(to[l], _mm256_add_pd(_mm256_load_pd(to[l]), lane4[l]));
+            double* to = (loads + index[l])->*member;
+            const __m256d old = _mm256_load_pd(to);
+            _mm256_store_pd
+            (
+                to, sign > 0 ? _mm256_add_pd(old, lane4[l]) : _mm256_sub_pd(old, lane4[l])
+            );
         }
         return;
     }
@@ -112,9 +128,10 @@ template<class Real>
     {
         for (int l = 0; l < laneCount<Real>; ++l)
         {
-            to[l][0] += lane(v.x, l);
-            to[l][1] += lane(v.y, l);
-            to[l][2] += lane(v.z, l);
+            double* to = (loads + index[l])->*member;
+            to[0] += sign*lane(v.x, l);
+            to[1] += sign*lane(v.y, l);
+            to[2] += sign*lane(v.z, l);
         }
     }
 }
