@@ -4,7 +4,7 @@
 #include "contactModels/contactModel/ContactLaw.hpp"
 #include "contacts/ContactRecord.hpp"
 #include "contacts/clusterMargins.hpp"
-#include "neighbourSearch/BoxPairs.hpp"
+#include "neighbourSearch/BoxGrid.hpp"
 #include "neighbourSearch/DisjointSets.hpp"
 #include "particles/errors.hpp"
 #include "timeIntegration/IslandIntegrator.hpp"
@@ -100,6 +100,17 @@ public:
         Vec3 impulse = Vec3::Zero();
     };
 
+    //- What the search needs to know of a particle in one particle step
+    struct Path
+    {
+        Vec3 x, v;
+        double size;        // radius and reach of its contacts [m]
+        double bend;        // how far from the straight line it can get on its own [m]
+        double speed;       // the fastest it can be on its own [m/s]
+        bool deviates;      // can be pushed off the path it has on its own
+        double half;        // where it can then get to: half width beyond size [m]
+    };
+
     struct Labels
     {
         std::vector<std::int64_t> component;    // by particle: lowest id
@@ -110,20 +121,42 @@ public:
         std::vector<int> home;                  // rank that moves it
     };
 
-    Box box(std::size_t i, double half) const
+    Path path(std::size_t i, double dt) const
     {
         const Particle& p = particles[i];
-        const double r = p.radius + reach[i] + half;
-        return {p.x.array() - r, p.x.array() + r};
-    }
-
-    //- Fastest that a particle can be in this step without contact forces [m/s]
-    double speedBound(std::size_t i, double dt) const
-    {
-        const Particle& p = particles[i];
+        const double size = p.radius + reach[i];
+        if (!awake(i)) return {p.x, Vec3::Zero(), size, 0, 0, false, 0};
         const GasLoad& g = gas[i];
         const FlightFactors f(g.Sp/p.mass, dt);
-        return p.v.norm() + (g.Sp*(g.Uc - p.v) + g.Su).norm()/p.mass*f.p1;
+        const double pull = (g.Sp*(g.Uc - p.v) + g.Su).norm()/p.mass;
+        const double speed = p.v.norm() + pull*f.p1;
+        const bool touches = rest[i].inContact || !contacts[i].empty();
+        return {p.x, p.v, size, 0.5*pull*dt*dt, speed, touches, speedMargin*speed*dt};
+    }
+
+    //- Where a particle can get to
+    Box box(std::size_t i, const Path& p, double dt) const
+    {
+        if (p.deviates || p.speed == 0)
+        {
+            const double r = p.size + p.half;
+            return {p.x.array() - r, p.x.array() + r};
+        }
+        Box b;
+        flightBox(particles[i], gas[i], dt, b.low, b.high);
+        return {b.low.array() - p.size, b.high.array() + p.size};
+    }
+
+    //- Whether two whose boxes overlap can come as close as a contact
+    bool meet(const Path& a, const Path& b, double dt) const
+    {
+        if (a.deviates || b.deviates) return true;
+        const Vec3 d = periodic.nearest(b.x - a.x), u = b.v - a.v;
+        const double square = u.squaredNorm();
+        const double t =
+            square > 0 ? std::min(std::max(-d.dot(u)/square, 0.0), dt) : 0;
+        const double near = a.size + b.size + a.bend + b.bend;
+        return (d + t*u).squaredNorm() <= near*near;
     }
 
     bool awake(std::size_t i) const
@@ -131,16 +164,17 @@ public:
         return !rest[i].resting || wakes(rest[i], gas[i]);
     }
 
-    Labels label(const std::vector<double>& half, const std::vector<double>& bound) const;
+    Labels label
+    (
+        DisjointSets& sets, const std::vector<Box>& boxes, const std::vector<Path>& paths,
+        double dt
+    ) const;
     void integrate(std::vector<Member>& members, double dt, StepReport& report);
     StepReport advance(double dt);
-    StepReport advanceTogether
-    (
-        double dt, const std::vector<double>& bound, StepReport& report
-    );
+    StepReport advanceTogether(double dt, std::vector<Path>& paths, StepReport& report);
     void move
     (
-        const Labels& labels, const std::vector<double>& half, double dt,
+        const Labels& labels, const std::vector<Path>& paths, double dt,
         StepReport& report, Clock::time_point clock
     );
 
@@ -297,24 +331,14 @@ System::Implementation::Member System::Implementation::unpack(const double*& fro
 
 // * * * * * * * * * * * * * * * * Who can meet whom * * * * * * * * * * * * * * * * * * //
 
+//- Components of particles that can meet; `sets` says which of this rank belong together
 System::Implementation::Labels System::Implementation::label
 (
-    const std::vector<double>& half,
-    const std::vector<double>& bound
+    DisjointSets& sets, const std::vector<Box>& boxes, const std::vector<Path>& paths,
+    double dt
 ) const
 {
     const std::size_t n = particles.size();
-    std::vector<Box> boxes(n);
-    for (std::size_t i = 0; i < n; ++i) boxes[i] = box(i, half[i]);
-
-    // On this rank
-    DisjointSets sets(n);
-    boxPairs
-    (
-        boxes, periodic,
-        [&](int i, int j) { sets.join(std::size_t(i), std::size_t(j)); }
-    );
-
     struct Component
     {
         std::int64_t id;
@@ -334,7 +358,7 @@ System::Implementation::Labels System::Implementation::label
             c.home = communicator.rank();
         }
         c.id = std::min(c.id, particles[i].id);
-        c.speed = std::max(c.speed, bound[i]);
+        c.speed = std::max(c.speed, paths[i].speed);
         c.active = c.active || awake(i);
         ++c.count;
     }
@@ -373,23 +397,35 @@ System::Implementation::Labels System::Implementation::label
             (
                 shown.end(), boxes[i].high.data(), boxes[i].high.data() + 3
             );
+            const Path& p = paths[i];
             shown.insert
             (
-                shown.end(), {double(c.id), c.speed, double(c.active)}
+                shown.end(),
+                {
+                    double(c.id), c.speed, double(c.active), double(p.deviates),
+                    p.size, p.bend, p.x[0], p.x[1], p.x[2], p.v[0], p.v[1], p.v[2]
+                }
             );
         }
         const auto everybody = communicator.allGather(shown);
 
+        constexpr std::size_t numbers = 18;
         std::vector<Box> all;
+        std::vector<Path> allPaths;
         std::vector<std::int64_t> ids;
         std::map<std::int64_t, Component> joined;
         std::vector<int> ranks;
         for (int r = 0; r < communicator.size(); ++r)
         {
             const auto& s = everybody[std::size_t(r)];
-            for (std::size_t k = 0; k + 9 <= s.size(); k += 9)
+            for (std::size_t k = 0; k + numbers <= s.size(); k += numbers)
             {
                 all.push_back({{s[k], s[k+1], s[k+2]}, {s[k+3], s[k+4], s[k+5]}});
+                allPaths.push_back
+                ({
+                    {s[k+12], s[k+13], s[k+14]}, {s[k+15], s[k+16], s[k+17]},
+                    s[k+10], s[k+11], 0, s[k+9] > 0, 0
+                });
                 const std::int64_t id = std::int64_t(s[k+6]);
                 ids.push_back(id);
                 ranks.push_back(r);
@@ -410,12 +446,12 @@ System::Implementation::Labels System::Implementation::label
             }
             return id;
         };
-        boxPairs
+        BoxGrid(all).pairs
         (
-            all,
             [&](int i, int j)
             {
                 if (ranks[std::size_t(i)] == ranks[std::size_t(j)]) return;
+                if (!meet(allPaths[std::size_t(i)], allPaths[std::size_t(j)], dt)) return;
                 const std::int64_t a = root(ids[std::size_t(i)]);
                 const std::int64_t b = root(ids[std::size_t(j)]);
                 if (a == b) return;
@@ -485,7 +521,7 @@ void System::Implementation::integrate
     }
 
     std::vector<std::pair<int, int>> pairs;
-    boxPairs(boxes, periodic, [&](int i, int j) { pairs.emplace_back(i, j); });
+    BoxGrid(boxes, periodic).pairs([&](int i, int j) { pairs.emplace_back(i, j); });
     std::sort(pairs.begin(), pairs.end());
     if (periodic.on())
     {
@@ -529,31 +565,60 @@ StepReport System::Implementation::advance(double dt)
     Clock::time_point clock = Clock::now();
     const std::size_t n = particles.size();
 
-    std::vector<double> bound(n), half(n, 0.0);
+    std::vector<Path> paths(n);
+    std::vector<Box> boxes(n);
+    std::vector<int> surfaces;
     for (std::size_t i = 0; i < n; ++i)
     {
         impulse[i] = Vec3::Zero();
-        bound[i] = speedBound(i, dt);
-        if (awake(i)) half[i] = speedMargin*bound[i]*dt;
-        else bound[i] = 0;
+        paths[i] = path(i, dt);
+        boxes[i] = box(i, paths[i], dt);
+        if (awake(i) && !paths[i].deviates)
+        {
+            walls.query(boxes[i].low, boxes[i].high, surfaces);
+            paths[i].deviates = !surfaces.empty();
+            if (paths[i].deviates) boxes[i] = box(i, paths[i], dt);
+        }
     }
+    if (!time.islands) return advanceTogether(dt, paths, report);
 
-    if (!time.islands) return advanceTogether(dt, bound, report);
-
-    // First by each one's own speed; then whoever can be hit may become as fast as the
-    // fastest of its component.
-    Labels labels = label(half, bound);
-    bool widened = false;
-    for (std::size_t i = 0; i < n; ++i)
+    // First by the paths that all have on their own; then whoever can be hit may become as
+    // fast as the fastest of its component, and hit others, until nobody is added
+    const BoxGrid grid(boxes, periodic);
+    DisjointSets sets(n);
+    grid.pairs([&](int i, int j)
     {
-        if (!labels.active[i] || labels.alone[i]) continue;
-        const double wide = speedMargin*labels.speed[i]*dt;
-        widened = widened || wide > half[i];
-        half[i] = std::max(half[i], wide);
+        const std::size_t a = std::size_t(i), b = std::size_t(j);
+        if (meet(paths[a], paths[b], dt)) sets.join(a, b);
+    });
+    Labels labels;
+    std::vector<std::size_t> widened;
+    double widest = 0;
+    for (const Box& b : boxes) widest = std::max(widest, 0.5*(b.high - b.low).maxCoeff());
+    for (;;)
+    {
+        labels = label(sets, boxes, paths, dt);
+        widened.clear();
+        for (std::size_t i = 0; i < n; ++i)
+        {
+            Path& p = paths[i];
+            if (!labels.active[i] || (labels.alone[i] && !p.deviates)) continue;
+            const double half = speedMargin*labels.speed[i]*dt;
+            if (p.deviates && p.half >= half) continue;
+            p.deviates = true;
+            p.half = std::max(p.half, half);
+            boxes[i] = box(i, p, dt);
+            widest = std::max(widest, p.size + p.half);
+            widened.push_back(i);
+        }
+        if (!communicator.any(!widened.empty())) break;
+        for (const std::size_t i : widened)
+        {
+            grid.overlapping(boxes[i], widest, [&](int j) { sets.join(i, std::size_t(j)); });
+        }
     }
-    if (communicator.any(widened)) labels = label(half, bound);
 
-    move(labels, half, dt, report, clock);
+    move(labels, paths, dt, report, clock);
     return report;
 }
 
@@ -562,7 +627,7 @@ StepReport System::Implementation::advance(double dt)
 //  conventional DEM code does. On the rank of the lowest id.
 StepReport System::Implementation::advanceTogether
 (
-    double dt, const std::vector<double>& bound, StepReport& report
+    double dt, std::vector<Path>& paths, StepReport& report
 )
 {
     Clock::time_point clock = Clock::now();
@@ -575,7 +640,7 @@ StepReport System::Implementation::advanceTogether
     double fastest = 0, lowest = 1e300;
     for (std::size_t i = 0; i < n; ++i)
     {
-        fastest = std::max(fastest, bound[i]);
+        fastest = std::max(fastest, paths[i].speed);
         lowest = std::min(lowest, double(particles[i].id));
     }
     fastest = communicator.max(fastest);
@@ -589,7 +654,12 @@ StepReport System::Implementation::advanceTogether
     labels.shared.assign(n, communicator.parallel());
     labels.alone.assign(n, 0);
     labels.home.assign(n, int(home));
-    move(labels, std::vector<double>(n, speedMargin*fastest*dt), dt, report, clock);
+    for (Path& p : paths)
+    {
+        p.deviates = true;
+        p.half = speedMargin*fastest*dt;
+    }
+    move(labels, paths, dt, report, clock);
     return report;
 }
 
@@ -597,7 +667,7 @@ StepReport System::Implementation::advanceTogether
 //- Move everything, components as labelled
 void System::Implementation::move
 (
-    const Labels& labels, const std::vector<double>& half, double dt,
+    const Labels& labels, const std::vector<Path>& paths, double dt,
     StepReport& report, Clock::time_point clock
 )
 {
@@ -608,29 +678,23 @@ void System::Implementation::move
     std::vector<std::size_t> flights;
     std::map<std::int64_t, std::vector<Member>> islands;
     std::vector<std::vector<double>> away(std::size_t(communicator.size()));
-    std::vector<int> surfaces;
     for (std::size_t i = 0; i < n; ++i)
     {
         if (!labels.active[i]) continue;
-        if (labels.alone[i] && contacts[i].empty())
+        if (labels.alone[i] && !paths[i].deviates)
         {
-            const Box b = box(i, half[i]);
-            walls.query(b.low, b.high, surfaces);
-            if (surfaces.empty())
-            {
-                flights.push_back(i);
-                continue;
-            }
+            flights.push_back(i);
+            continue;
         }
         if (labels.shared[i] && labels.home[i] != rank)
         {
             std::vector<double>& to = away[std::size_t(labels.home[i])];
             to.push_back(double(labels.component[i]));
-            pack(member(i, half[i]), to);
+            pack(member(i, paths[i].half), to);
         }
         else
         {
-            islands[labels.component[i]].push_back(member(i, half[i]));
+            islands[labels.component[i]].push_back(member(i, paths[i].half));
         }
     }
     for (const auto& from : communicator.exchange(away))

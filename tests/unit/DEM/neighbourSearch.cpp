@@ -2,7 +2,7 @@
 //
 // Who is near whom: box pairs, connected sets, clusters and the load on their contacts.
 #include "contacts/clusterMargins.hpp"
-#include "neighbourSearch/BoxPairs.hpp"
+#include "neighbourSearch/BoxGrid.hpp"
 #include "neighbourSearch/DisjointSets.hpp"
 #include "scene.hpp"
 
@@ -30,7 +30,7 @@ bool overlap(const dem::Box& a, const dem::Box& b, const Vec3& shift)
 }
 
 
-TEST(boxPairs, againstBruteForce)
+TEST(boxGrid, againstBruteForce)
 {
     for (const int n : {0, 1, 2, 5, 16, 17, 40, 300, 2000})
     {
@@ -51,9 +51,8 @@ TEST(boxPairs, againstBruteForce)
                 boxes.push_back({middle.array() - half, middle.array() + half});
             }
             Pairs found, expected;
-            dem::boxPairs
+            dem::BoxGrid(boxes).pairs
             (
-                boxes,
                 [&](int i, int j)
                 {
                     ASSERT_LT(i, j);
@@ -76,7 +75,7 @@ TEST(boxPairs, againstBruteForce)
 }
 
 
-TEST(boxPairs, touchingAndPointBoxes)
+TEST(boxGrid, touchingAndPointBoxes)
 {
     // boxes that share a face only, on a lattice whose planes are cell borders
     std::vector<dem::Box> boxes;
@@ -91,19 +90,19 @@ TEST(boxPairs, touchingAndPointBoxes)
         }
     }
     std::size_t found = 0;
-    dem::boxPairs(boxes, [&](int, int) { ++found; });
+    dem::BoxGrid(boxes).pairs([&](int, int) { ++found; });
     // neighbours in a 4 x 4 x 4 lattice, diagonals included: (3*4 - 2)^3 - 64 over 2
     EXPECT_EQ(found, (1000u - 64u)/2);
 
     // points, many of them the same
     boxes.assign(30, {Vec3(1, 2, 3), Vec3(1, 2, 3)});
     found = 0;
-    dem::boxPairs(boxes, [&](int, int) { ++found; });
+    dem::BoxGrid(boxes).pairs([&](int, int) { ++found; });
     EXPECT_EQ(found, 30u*29/2);
 }
 
 
-TEST(boxPairs, periodicAgainstBruteForce)
+TEST(boxGrid, periodicAgainstBruteForce)
 {
     for (int axes = 1; axes < 8; ++axes)
     {
@@ -128,7 +127,7 @@ TEST(boxPairs, periodicAgainstBruteForce)
             boxes.push_back({middle.array() - half, middle.array() + half});
         }
         Pairs found, expected;
-        dem::boxPairs(boxes, periodic, [&](int i, int j) { found.emplace(i, j); });
+        dem::BoxGrid(boxes, periodic).pairs([&](int i, int j) { found.emplace(i, j); });
         for (int i = 0; i < 400; ++i)
         {
             for (int j = i + 1; j < 400; ++j)
@@ -149,6 +148,37 @@ TEST(boxPairs, periodicAgainstBruteForce)
             }
         }
         EXPECT_EQ(found, expected);
+
+        // some grow after the grid was made
+        std::vector<dem::Box> grown = boxes;
+        const dem::BoxGrid grid(grown, periodic);
+        double widest = 0;
+        for (dem::Box& b : grown)
+        {
+            const double more = random.below(10) ? 0 : 0.2;
+            b.low.array() -= more;
+            b.high.array() += more;
+            widest = std::max(widest, 0.5*(b.high - b.low).maxCoeff());
+        }
+        for (int i = 0; i < 400; i += 7)
+        {
+            std::set<int> partners, all;
+            grid.overlapping(grown[std::size_t(i)], widest, [&](int j) { partners.insert(j); });
+            for (int j = 0; j < 400; ++j)
+            {
+                for (int image = 0; image < 27; ++image)
+                {
+                    const Vec3 shift
+                    (
+                        (image%3 - 1)*periodic.length.x(),
+                        (image/3%3 - 1)*periodic.length.y(),
+                        (image/9 - 1)*periodic.length.z()
+                    );
+                    if (overlap(grown[std::size_t(i)], grown[std::size_t(j)], shift)) all.insert(j);
+                }
+            }
+            EXPECT_EQ(partners, all);
+        }
 
         // the nearest image is the nearest of all images
         for (int k = 0; k < 200; ++k)
