@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "timeIntegration/IslandIntegrator.hpp"
 
+#include "neighbourSearch/DisjointSets.hpp"
 #include "particles/errors.hpp"
 #include "timeIntegration/freeFlight.hpp"
 
@@ -261,7 +262,12 @@ void IslandIntegrator::store(const ContactList& list, std::size_t k, bool wall)
         s.record.history[h] = list.history[h][k];
     }
     stored_[std::size_t(list.i[k])].push_back(s);
-    if (!wall) holders_[std::size_t(s.j)].push_back(list.i[k]);
+    frozenKnown_[std::size_t(list.i[k])] = 0;
+    if (!wall)
+    {
+        holders_[std::size_t(s.j)].push_back(list.i[k]);
+        frozenKnown_[std::size_t(s.j)] = 0;
+    }
 }
 
 
@@ -295,6 +301,13 @@ void IslandIntegrator::activateStored(std::size_t i)
         {
             stored_[i][kept++] = c;
             continue;
+        }
+        frozenKnown_[i] = 0;
+        if (c.j >= 0)
+        {
+            auto& holders = holders_[std::size_t(c.j)];
+            holders.erase(std::remove(holders.begin(), holders.end(), int(i)), holders.end());
+            frozenKnown_[std::size_t(c.j)] = 0;
         }
         begin
         (
@@ -351,12 +364,8 @@ bool IslandIntegrator::endMarked(StepReport& report)
             }
         }
     }
-    for (const int p : alone)
-    {
-        if (rest_[std::size_t(p)].resting) wake(p, report);
-    }
-    if (any) findBoundary();
-    if (!alone.empty()) updateWalls();
+    if (!alone.empty()) wake(alone, report);
+    else if (any) findBoundary();
     return any;
 }
 
@@ -432,28 +441,58 @@ bool IslandIntegrator::form(StepReport& report)
 
 
 //- Loads are as they were: what the frozen contacts gave, they go on giving
-void IslandIntegrator::wake(int first, StepReport& report)
+void IslandIntegrator::wake(std::vector<int>& woken, StepReport& report)
 {
     complete();
-    const std::size_t i = std::size_t(first);
-    rest_[i].resting = false;
-    rest_[i].quietTime = 0;
-    awake_.insert(std::lower_bound(awake_.begin(), awake_.end(), first), first);
-    ++report.wakes;
+    std::sort(woken.begin(), woken.end());
+    woken.erase(std::unique(woken.begin(), woken.end()), woken.end());
+    for (const int i : woken)
+    {
+        RestState& rest = rest_[std::size_t(i)];
+        rest.resting = false;
+        rest.quietTime = 0;
+        marked_[std::size_t(i)] = 1;
+    }
+    report.wakes += std::int64_t(woken.size());
+    const std::size_t before = awake_.size();
+    awake_.insert(awake_.end(), woken.begin(), woken.end());
+    std::inplace_merge
+    (
+        awake_.begin(), awake_.begin() + std::ptrdiff_t(before), awake_.end()
+    );
     flightStep_ = -1;
 
-    activateStored(i);
-    std::vector<int> holders;
-    holders.swap(holders_[i]);
-    for (const int h : holders) activateStored(std::size_t(h));
-    refreshNear();
+    static thread_local std::vector<int> holders;
+    for (const int i : woken)
+    {
+        const std::size_t k = std::size_t(i);
+        activateStored(k);
+        holders.swap(holders_[k]);
+        for (const int h : holders) activateStored(std::size_t(h));
+        holders.clear();
+        findNearSurfaces(i);
+    }
+    std::sort(nearWalls_.begin(), nearWalls_.end());
+    for (std::size_t c = 0; c < candidates_.size(); ++c)
+    {
+        const Candidate& k = candidates_[c];
+        const char i = marked_[std::size_t(k.i)], j = marked_[std::size_t(k.j)];
+        if (!(i | j) || k.touching) continue;
+        // with a partner that was awake before, it is there already
+        const bool both = i && j;
+        if (!both && !rest_[std::size_t(i ? k.j : k.i)].resting) continue;
+        if (meets(k, skin_)) near_.push_back(int(c));
+    }
+    for (const int i : woken) marked_[std::size_t(i)] = 0;
+    findBoundary();
+    updateWalls();
 }
 
 
 //- Wake those at the boundary that are loaded too much
 void IslandIntegrator::wakeLoaded(StepReport& report)
 {
-    std::vector<int> loaded;
+    woken_.clear();
     for (const int i : boundary_)
     {
         const std::size_t k = std::size_t(i);
@@ -463,12 +502,9 @@ void IslandIntegrator::wakeLoaded(StepReport& report)
         (
             (vec(loads_[k].f) + gasForceAtRest(gas_[k])).squaredNorm() > limit*limit
          || vec(loads_[k].t).squaredNorm() > limit*limit*r*r
-        ) loaded.push_back(i);
+        ) woken_.push_back(i);
     }
-    if (loaded.empty()) return;
-    for (const int i : loaded) wake(i, report);
-    findBoundary();
-    updateWalls();
+    if (!woken_.empty()) wake(woken_, report);
 }
 
 
@@ -477,19 +513,25 @@ void IslandIntegrator::findBoundary()
 {
     boundary_.clear();
     if (awake_.size() == particles_.size()) return;
+    const auto look = [&](int i)
+    {
+        const std::size_t k = std::size_t(i);
+        if (!rest_[k].resting || marked_[k]) return;
+        marked_[k] = 1;
+        boundary_.push_back(i);
+        if (frozenKnown_[k]) return;
+        frozen_[k] = storedLoad(i);
+        frozenKnown_[k] = 1;
+    };
     for (const LawLists& l : lists_)
     {
         for (std::size_t k = 0; k < l.pairs.size(); ++k)
         {
-            for (const int p : {l.pairs.i[k], l.pairs.j[k]})
-            {
-                if (rest_[std::size_t(p)].resting) boundary_.push_back(p);
-            }
+            look(l.pairs.i[k]);
+            look(l.pairs.j[k]);
         }
     }
-    std::sort(boundary_.begin(), boundary_.end());
-    boundary_.erase(std::unique(boundary_.begin(), boundary_.end()), boundary_.end());
-    for (const int i : boundary_) frozen_[std::size_t(i)] = storedLoad(i);
+    for (const int i : boundary_) marked_[std::size_t(i)] = 0;
 }
 
 
@@ -638,27 +680,26 @@ void IslandIntegrator::refreshNear()
     nearSurfaces_.resize(particles_.size());
     hits_.resize(particles_.size());
     hitTaken_.resize(particles_.size());
-    std::size_t first = 0;
-    for (std::size_t i = 0; i < particles_.size(); ++i)
-    {
-        nearSurfaces_[i].clear();
-        hits_[i].clear();
-        const std::size_t last = surfaceEnd_[i];
-        if (!rest_[i].resting && last > first)
-        {
-            const double range = particles_[i].radius + reach_[i] + skin_;
-            for (std::size_t s = first; s < last; ++s)
-            {
-                if (wallSearch_.within(surfaces_[s], vec(bodies_[i].x), range))
-                {
-                    nearSurfaces_[i].push_back(surfaces_[s]);
-                }
-            }
-            if (!nearSurfaces_[i].empty()) nearWalls_.push_back(int(i));
-        }
-        first = last;
-    }
+    for (const int i : awake_) findNearSurfaces(i);
     updateWalls();
+}
+
+
+//- Wall surfaces within the skin of an awake particle
+void IslandIntegrator::findNearSurfaces(int i)
+{
+    const std::size_t k = std::size_t(i);
+    nearSurfaces_[k].clear();
+    hits_[k].clear();
+    const double range = particles_[k].radius + reach_[k] + skin_;
+    for (std::size_t s = k ? surfaceEnd_[k - 1] : 0; s < surfaceEnd_[k]; ++s)
+    {
+        if (wallSearch_.within(surfaces_[s], vec(bodies_[k].x), range))
+        {
+            nearSurfaces_[k].push_back(surfaces_[s]);
+        }
+    }
+    if (!nearSurfaces_[k].empty()) nearWalls_.push_back(i);
 }
 
 
@@ -1176,19 +1217,25 @@ void IslandIntegrator::checkRest(double elapsed, StepReport& report)
     prepareSprings(0);
 
     // who is quiet and holds on to a wall or to one at rest, by quiet ones if need be
-    std::vector<char> quiet(particles_.size(), 0), held(particles_.size(), 0);
-    std::vector<int> queue;
-    for (const int i : awake_)
+    const auto quiet = [&](int i)
     {
-        quiet[std::size_t(i)] = rest_[std::size_t(i)].quietTime >= window;
+        const RestState& rest = rest_[std::size_t(i)];
+        return !rest.resting && rest.quietTime >= window;
+    };
+    DisjointSets clusters(particles_.size());
+    for (const LawLists& l : lists_)
+    {
+        for (std::size_t k = 0; k < l.pairs.size(); ++k)
+        {
+            const int i = l.pairs.i[k], j = l.pairs.j[k];
+            if (quiet(i) && quiet(j)) clusters.join(std::size_t(i), std::size_t(j));
+        }
     }
+    std::vector<char> held(particles_.size(), 0);   // by root
     const auto hold = [&](int i)
     {
-        if (!quiet[std::size_t(i)] || held[std::size_t(i)]) return;
-        held[std::size_t(i)] = 1;
-        queue.push_back(i);
+        if (quiet(i)) held[clusters.find(std::size_t(i))] = 1;
     };
-    std::vector<std::vector<int>> partners(particles_.size());
     for (const LawLists& l : lists_)
     {
         for (std::size_t k = 0; k < l.walls.size(); ++k) hold(l.walls.i[k]);
@@ -1197,23 +1244,14 @@ void IslandIntegrator::checkRest(double elapsed, StepReport& report)
             const int i = l.pairs.i[k], j = l.pairs.j[k];
             if (rest_[std::size_t(i)].resting) hold(j);
             if (rest_[std::size_t(j)].resting) hold(i);
-            if (quiet[std::size_t(i)] && quiet[std::size_t(j)])
-            {
-                partners[std::size_t(i)].push_back(j);
-                partners[std::size_t(j)].push_back(i);
-            }
         }
-    }
-    for (std::size_t k = 0; k < queue.size(); ++k)
-    {
-        for (const int j : partners[std::size_t(queue[k])]) hold(j);
     }
 
     std::size_t kept = 0;
     for (const int i : awake_)
     {
         const std::size_t k = std::size_t(i);
-        if (!held[k])
+        if (!quiet(i) || !held[clusters.find(k)])
         {
             awake_[kept++] = i;
             continue;
@@ -1257,7 +1295,32 @@ void IslandIntegrator::checkRest(double elapsed, StepReport& report)
             }
         }
     }
-    refreshNear();
+    near_.erase
+    (
+        std::remove_if
+        (
+            near_.begin(), near_.end(),
+            [&](int c)
+            {
+                const Candidate& k = candidates_[std::size_t(c)];
+                return
+                    k.touching
+                 || (
+                        rest_[std::size_t(k.i)].resting && rest_[std::size_t(k.j)].resting
+                    );
+            }
+        ),
+        near_.end()
+    );
+    nearWalls_.erase
+    (
+        std::remove_if
+        (
+            nearWalls_.begin(), nearWalls_.end(),
+            [&](int i) { return rest_[std::size_t(i)].resting; }
+        ),
+        nearWalls_.end()
+    );
     findBoundary();
 }
 
@@ -1315,7 +1378,10 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
     }
 
     frozen_.resize(n);
-    holders_.assign(n, {});
+    frozenKnown_.assign(n, 0);
+    marked_.assign(n, 0);
+    holders_.resize(n);
+    for (auto& h : holders_) h.clear();
     activateStored();
     for (std::size_t i = 0; i < n; ++i)
     {
@@ -1346,13 +1412,17 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
     }
     fastest_ = speedBound;
     refreshNear();
+    woken_.clear();
     for (std::size_t i = 0; i < n; ++i)
     {
-        if (rest_[i].resting && wakes(rest_[i], gas_[i])) wake(int(i), report);
+        if (rest_[i].resting && wakes(rest_[i], gas_[i])) woken_.push_back(int(i));
     }
-    findBoundary();
-
-    updateWalls();
+    if (woken_.empty())
+    {
+        findBoundary();
+        updateWalls();
+    }
+    else wake(woken_, report);
     ended_ = evaluate({}, report);
     endMarked(report);
     form(report);

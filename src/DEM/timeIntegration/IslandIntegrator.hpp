@@ -153,7 +153,7 @@ private:
     int findCandidate(int i, int j) const;
     void activateStored();
     void activateStored(std::size_t i);
-    void wake(int i, StepReport& report);
+    void wake(std::vector<int>& woken, StepReport& report);
     void wakeLoaded(StepReport& report);
     void findBoundary();
     Load storedLoad(int i);
@@ -169,6 +169,7 @@ private:
     double inertia(std::size_t i) const;
     void updateWalls();
     void refreshNear();
+    void findNearSurfaces(int i);
     double contactStep(double time, StepReport& report);
     double stiffestStep(double speed) const;
     double timeToTouch(bool contact) const;
@@ -211,7 +212,10 @@ private:
     std::vector<std::vector<char>> hitTaken_;
     std::vector<Weakest> weakest_;
     std::vector<int> boundary_;             // at rest, in contact with one that is awake
-    std::vector<Load> frozen_;              // of the boundary: from contacts at rest
+    std::vector<Load> frozen_;              // of those at rest: from contacts at rest
+    std::vector<char> frozenKnown_;         // frozen_ holds for the contacts stored now
+    std::vector<char> marked_;              // scratch, all 0 between calls
+    std::vector<int> woken_;
     std::vector<std::vector<int>> holders_; // of stored pair contacts, by higher partner
     ContactList scratch_;
     std::vector<std::vector<double>> wallTouch_;    // [m], by material and patch
