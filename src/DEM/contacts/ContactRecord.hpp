@@ -26,6 +26,12 @@ struct RestState
     double force[3] = {};   // gas force at rest when it fell asleep [N]
     double wakeForce = 0;   // change of that force which wakes it [N]
     double pullOff = 0;     // of its weakest contact then [N]
+
+    // At rest among the members of a flying aggregate; `force` is then what its contacts
+    // give to it
+    std::int64_t aggregate = -1;    // lowest id of the members; -1 = does not fly
+    int members = 0;
+    double arm[3] = {};             // from the centre of mass [m]
 };
 
 }

@@ -12,11 +12,13 @@ void StepReport::add(const StepReport& o)
     contactUpdates += o.contactUpdates;
     islands += o.islands;
     freeFlights += o.freeFlights;
+    aggregateFlights += o.aggregateFlights;
     touches += o.touches;
     separations += o.separations;
     sleeps += o.sleeps;
     wakes += o.wakes;
     resting = o.resting;
+    flyingAtRest = o.flyingAtRest;
     inContact = o.inContact;
     maxOverlapOverDiameter =
         std::max(maxOverlapOverDiameter, o.maxOverlapOverDiameter);

@@ -13,11 +13,13 @@ struct StepReport
     std::int64_t contactUpdates = 0;    // contacts evaluated, summed over steps
     std::int64_t islands = 0;           // islands integrated
     std::int64_t freeFlights = 0;       // particles moved in closed form over the whole step
+    std::int64_t aggregateFlights = 0;  // aggregates moved as one body over the whole step
     std::int64_t touches = 0;           // contacts formed
     std::int64_t separations = 0;       // contacts ended
     std::int64_t sleeps = 0;            // particles put to rest
     std::int64_t wakes = 0;             // particles woken
-    std::int64_t resting = 0;           // particles at rest at the end
+    std::int64_t resting = 0;           // particles at rest in deposits at the end
+    std::int64_t flyingAtRest = 0;      // particles in aggregates at rest inside at the end
     std::int64_t inContact = 0;         // particles in contact at the end
     double maxOverlapOverDiameter = 0;  // largest delta/(2 min(r_i, r_j)) met
     double minStepsPerContact = 1e300;  // period over step of the stiffest contact met

@@ -8,6 +8,7 @@
 #include "neighbourSearch/DisjointSets.hpp"
 #include "particles/errors.hpp"
 #include "timeIntegration/IslandIntegrator.hpp"
+#include "timeIntegration/RigidAggregate.hpp"
 #include "timeIntegration/freeFlight.hpp"
 #include "walls/WallSearch.hpp"
 
@@ -38,7 +39,7 @@ constexpr double speedMargin = 1.2;
 
 // Numbers per contact and per particle in a packed state
 constexpr std::size_t contactNumbers = 5 + maxHistory;
-constexpr std::size_t restNumbers = 8;
+constexpr std::size_t restNumbers = 13;
 
 }
 
@@ -117,7 +118,8 @@ public:
         std::vector<double> speed;              // fastest member's bound [m/s]
         std::vector<char> active;               // some member is awake
         std::vector<char> shared;               // spans ranks
-        std::vector<char> alone;                // the only member
+        std::vector<char> alone;                // one particle or rigid aggregate that
+                                                // nothing pushes off its path
         std::vector<int> home;                  // rank that moves it
     };
 
@@ -127,8 +129,21 @@ public:
         const double size = p.radius + reach[i];
         if (!awake(i)) return {p.x, Vec3::Zero(), size, 0, 0, false, 0};
         const GasLoad& g = gas[i];
+        const Vec3 force = g.Sp*(g.Uc - p.v) + g.Su;
+        if (flies(i))
+        {
+            // along with the centre of mass; the rest bends its path
+            const Vec3 held(rest[i].force[0], rest[i].force[1], rest[i].force[2]);
+            const Vec3 arm(rest[i].arm[0], rest[i].arm[1], rest[i].arm[2]);
+            const Vec3 turning = p.omega.cross(arm);
+            const Vec3 V = p.v - turning;
+            const double pull = ((force + held)/p.mass - p.omega.cross(turning)).norm();
+            const double round = p.omega.norm()*arm.norm();
+            const double bend = std::min(2*arm.norm(), round*dt) + 0.5*pull*dt*dt;
+            return {p.x, V, size, bend, V.norm() + round + pull*dt, false, 0};
+        }
         const FlightFactors f(g.Sp/p.mass, dt);
-        const double pull = (g.Sp*(g.Uc - p.v) + g.Su).norm()/p.mass;
+        const double pull = force.norm()/p.mass;
         const double speed = p.v.norm() + pull*f.p1;
         const bool touches = rest[i].inContact || !contacts[i].empty();
         return {p.x, p.v, size, 0.5*pull*dt*dt, speed, touches, speedMargin*speed*dt};
@@ -143,6 +158,12 @@ public:
             return {p.x.array() - r, p.x.array() + r};
         }
         Box b;
+        if (flies(i))
+        {
+            const Vec3 end = p.x + dt*p.v;
+            const double r = p.size + p.bend;
+            return {p.x.cwiseMin(end).array() - r, p.x.cwiseMax(end).array() + r};
+        }
         flightBox(particles[i], gas[i], dt, b.low, b.high);
         return {b.low.array() - p.size, b.high.array() + p.size};
     }
@@ -159,9 +180,12 @@ public:
         return (d + t*u).squaredNorm() <= near*near;
     }
 
+    //- A member of a rigid aggregate
+    bool flies(std::size_t i) const { return rest[i].aggregate >= 0; }
+
     bool awake(std::size_t i) const
     {
-        return !rest[i].resting || wakes(rest[i], gas[i]);
+        return flies(i) || !rest[i].resting || wakes(rest[i], gas[i]);
     }
 
     Labels label
@@ -169,6 +193,7 @@ public:
         DisjointSets& sets, const std::vector<Box>& boxes, const std::vector<Path>& paths,
         double dt
     ) const;
+    bool flyTogether(std::vector<Member>& members, double dt, StepReport& report);
     void integrate(std::vector<Member>& members, double dt, StepReport& report);
     StepReport advance(double dt);
     StepReport advanceTogether(double dt, std::vector<Path>& paths, StepReport& report);
@@ -237,7 +262,9 @@ void packRest
         to.end(),
         {
             double(rest.inContact), double(rest.resting), rest.quietTime,
-            rest.force[0], rest.force[1], rest.force[2], rest.wakeForce, rest.pullOff
+            rest.force[0], rest.force[1], rest.force[2], rest.wakeForce, rest.pullOff,
+            double(rest.aggregate), double(rest.members),
+            rest.arm[0], rest.arm[1], rest.arm[2]
         }
     );
     for (const ContactRecord& c : contacts)
@@ -263,6 +290,9 @@ void unpackRest
     std::copy(from + 3, from + 6, rest.force);
     rest.wakeForce = from[6];
     rest.pullOff = from[7];
+    rest.aggregate = std::int64_t(from[8]);
+    rest.members = int(from[9]);
+    std::copy(from + 10, from + 13, rest.arm);
     from += restNumbers;
     contacts.resize(nContacts);
     for (ContactRecord& c : contacts)
@@ -346,17 +376,23 @@ System::Implementation::Labels System::Implementation::label
         bool active = false;
         bool shared = false;
         int home;
+        std::int64_t unit;      // particle or rigid aggregate; -1 = several
+        bool deviates = false;
         std::size_t count = 0;
     };
     std::vector<Component> components(n);
     for (std::size_t i = 0; i < n; ++i)
     {
         Component& c = components[sets.find(i)];
+        const std::int64_t unit = flies(i) ? rest[i].aggregate : particles[i].id;
         if (!c.count)
         {
             c.id = particles[i].id;
             c.home = communicator.rank();
+            c.unit = unit;
         }
+        if (c.unit != unit) c.unit = -1;
+        c.deviates = c.deviates || paths[i].deviates;
         c.id = std::min(c.id, particles[i].id);
         c.speed = std::max(c.speed, paths[i].speed);
         c.active = c.active || awake(i);
@@ -403,13 +439,14 @@ System::Implementation::Labels System::Implementation::label
                 shown.end(),
                 {
                     double(c.id), c.speed, double(c.active), double(p.deviates),
-                    p.size, p.bend, p.x[0], p.x[1], p.x[2], p.v[0], p.v[1], p.v[2]
+                    p.size, p.bend, p.x[0], p.x[1], p.x[2], p.v[0], p.v[1], p.v[2],
+                    double(c.unit), double(c.deviates)
                 }
             );
         }
         const auto everybody = communicator.allGather(shown);
 
-        constexpr std::size_t numbers = 18;
+        constexpr std::size_t numbers = 20;
         std::vector<Box> all;
         std::vector<Path> allPaths;
         std::vector<std::int64_t> ids;
@@ -433,6 +470,8 @@ System::Implementation::Labels System::Implementation::label
                 c.id = id;
                 c.speed = s[k+7];
                 c.active = s[k+8] > 0;
+                c.unit = std::int64_t(s[k+18]);
+                c.deviates = s[k+19] > 0;
                 c.home = r;
             }
         }
@@ -461,6 +500,8 @@ System::Implementation::Labels System::Implementation::label
                 const Component& from = joined[high];
                 to.speed = std::max(to.speed, from.speed);
                 to.active = to.active || from.active;
+                to.deviates = to.deviates || from.deviates;
+                if (to.unit != from.unit) to.unit = -1;
                 to.shared = true;
             }
         );
@@ -490,10 +531,65 @@ System::Implementation::Labels System::Implementation::label
         labels.speed[i] = c.speed;
         labels.active[i] = c.active;
         labels.shared[i] = c.shared;
-        labels.alone[i] = c.count == 1 && !c.shared;
+        labels.alone[i] = c.unit >= 0 && !c.deviates;
         labels.home[i] = c.home;
     }
     return labels;
+}
+
+
+//- Move the members as one body, if that is what they are; impulses from the gas included
+bool System::Implementation::flyTogether
+(
+    std::vector<Member>& members, double dt, StepReport& report
+)
+{
+    const RestState& first = members[0].rest;
+    if (first.aggregate < 0 || first.members != int(members.size())) return false;
+    std::vector<Particle> flyers;
+    std::vector<GasLoad> loads;
+    for (const Member& m : members)
+    {
+        // pushed by others, or met by walls
+        if (m.rest.aggregate != first.aggregate || m.half > 0) return false;
+        flyers.push_back(m.p);
+        loads.push_back(m.gas);
+    }
+    RigidAggregate body(flyers, loads, periodic);
+    for (std::size_t k = 0; k < members.size(); ++k)
+    {
+        const RestState& r = members[k].rest;
+        const Vec3 change = body.contactForce(k) - Vec3(r.force[0], r.force[1], r.force[2]);
+        if (r.wakeForce < 0 || change.norm() > r.wakeForce) return false;
+    }
+
+    std::vector<Vec3> impulses;
+    const Eigen::Matrix3d turn = body.fly(dt, impulses);
+    for (std::size_t k = 0; k < members.size(); ++k)
+    {
+        Member& m = members[k];
+        m.p = flyers[k];
+        m.impulse = impulses[k];
+        Eigen::Map<Vec3> force(m.rest.force);
+        force = turn*Vec3(force);
+        Eigen::Map<Vec3> arm(m.rest.arm);
+        arm = turn*Vec3(arm);
+        for (ContactRecord& c : m.contacts)
+        {
+            const auto partner = std::find_if
+            (
+                members.begin(), members.end(),
+                [&](const Member& o) { return o.p.id == c.idJ; }
+            );
+            if (partner == members.end()) continue;
+            materials.laws()
+            [
+                std::size_t(materials.lawIndex(m.p.material, partner->p.material))
+            ]->turnHistory(turn, c.history);
+        }
+    }
+    ++report.aggregateFlights;
+    return true;
 }
 
 
@@ -516,7 +612,15 @@ void System::Implementation::integrate
         boxes.push_back({m.p.x.array() - half, m.p.x.array() + half});
         walls.query(boxes.back().low, boxes.back().high, surfaces);
         local.emplace(m.p.id, int(boxes.size()) - 1);
-        island.addParticle(m.p, m.gas, m.rest);
+        RestState state = m.rest;
+        if (state.aggregate >= 0)
+        {
+            // others may meet it, or its load has changed: no body of its own any more
+            state.resting = false;
+            state.aggregate = -1;
+            ++report.wakes;
+        }
+        island.addParticle(m.p, m.gas, state);
         island.addSurfaces(surfaces);
     }
 
@@ -602,7 +706,7 @@ StepReport System::Implementation::advance(double dt)
         for (std::size_t i = 0; i < n; ++i)
         {
             Path& p = paths[i];
-            if (!labels.active[i] || (labels.alone[i] && !p.deviates)) continue;
+            if (!labels.active[i] || labels.alone[i]) continue;
             const double half = speedMargin*labels.speed[i]*dt;
             if (p.deviates && p.half >= half) continue;
             p.deviates = true;
@@ -681,7 +785,7 @@ void System::Implementation::move
     for (std::size_t i = 0; i < n; ++i)
     {
         if (!labels.active[i]) continue;
-        if (labels.alone[i] && !paths[i].deviates)
+        if (labels.alone[i] && !flies(i))
         {
             flights.push_back(i);
             continue;
@@ -726,7 +830,7 @@ void System::Implementation::move
             members.begin(), members.end(),
             [](const Member& a, const Member& b) { return a.p.id < b.p.id; }
         );
-        integrate(members, dt, report);
+        if (!flyTogether(members, dt, report)) integrate(members, dt, report);
         for (const Member& m : members)
         {
             if (m.owner == rank) takeBack(m);
@@ -744,7 +848,8 @@ void System::Implementation::move
     for (std::size_t i = 0; i < n; ++i)
     {
         if (periodic.on()) particles[i].x = periodic.wrapped(particles[i].x);
-        report.resting += rest[i].resting;
+        report.resting += rest[i].resting && !flies(i);
+        report.flyingAtRest += flies(i);
         report.inContact += rest[i].inContact;
     }
     report.secondsSearch += since(clock);
@@ -943,7 +1048,10 @@ void System::setMotion
 }
 
 
-bool System::resting(std::size_t i) const { return impl_->rest[impl_->checked(i)].resting; }
+bool System::resting(std::size_t i) const
+{
+    return impl_->rest[impl_->checked(i)].resting && !impl_->flies(i);
+}
 
 
 bool System::inContact(std::size_t i) const

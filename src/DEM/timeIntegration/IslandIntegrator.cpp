@@ -3,6 +3,7 @@
 
 #include "neighbourSearch/DisjointSets.hpp"
 #include "particles/errors.hpp"
+#include "timeIntegration/RigidAggregate.hpp"
 #include "timeIntegration/freeFlight.hpp"
 
 #include <algorithm>
@@ -30,6 +31,7 @@ constexpr double quietTorque = 0.02;
 constexpr double wakeForce = 1;
 constexpr double wakeForceChange = 0.1;
 constexpr double windowPeriods = 3;
+constexpr double rockingWindows = 30;
 
 // Old and new normals of one wall contact differ by less than 60 degrees
 constexpr double sameNormal = 0.5;
@@ -1155,7 +1157,7 @@ void IslandIntegrator::checkRest(double elapsed, StepReport& report)
 {
     if (time_.restTolerance <= 0) return;
 
-    weakest_.assign(particles_.size(), {1e300, 1e300, 0});
+    weakest_.assign(particles_.size(), {1e300, 1e300, {0, 0}});
     double window = 0;
     for (const LawLists& l : lists_)
     {
@@ -1186,32 +1188,38 @@ void IslandIntegrator::checkRest(double elapsed, StepReport& report)
             }
         }
     }
-    window *= windowPeriods;
+    window_ = window *= windowPeriods;
+
+    findFlying();
+    forFlying([&](const std::vector<int>& members, RigidAggregate& body)
+    {
+        for (std::size_t m = 0; m < members.size(); ++m)
+        {
+            const std::size_t k = std::size_t(members[m]);
+            const Vec3 v = body.velocityBeyond(m), omega = body.spinBeyond(m);
+            judge
+            (
+                k, 0.5*(mass(k)*v.squaredNorm() + inertia(k)*omega.squaredNorm()),
+                (vec(loads_[k].f) - body.contactForce(m)).norm(),
+                (vec(loads_[k].t) - body.contactTorque(m)).norm(), elapsed
+            );
+        }
+    });
 
     bool due = false;
     for (const int i : awake_)
     {
         const std::size_t k = std::size_t(i);
-        const Weakest& w = weakest_[k];
-        RestState& rest = rest_[k];
-        if (!(w.pullOff > 0 && w.pullOff < 1e300))
-        {
-            rest.quietTime = 0;
-            continue;
-        }
+        if (flies_[k]) continue;
         const Body& b = bodies_[k];
         const Vec3 v = vec(b.v), omega = vec(b.w);
-        const double energy = 0.5*(mass(k)*v.squaredNorm() + inertia(k)*omega.squaredNorm());
-        const Vec3 force =
-            vec(loads_[k].f) + gas_[k].Sp*(gas_[k].Uc - v) + gas_[k].Su;
-        const double tolerance = time_.restTolerance;
-        const bool quiet =
-            energy < tolerance*quietEnergy*w.pullOff*w.delta
-         && force.norm() < tolerance*quietForce*w.pullOff
-         && vec(loads_[k].t).norm()
-          < tolerance*std::max(quietTorque*w.pullOff*b.r, w.yield);
-        rest.quietTime = quiet ? rest.quietTime + elapsed : 0;
-        due = due || rest.quietTime >= window;
+        judge
+        (
+            k, 0.5*(mass(k)*v.squaredNorm() + inertia(k)*omega.squaredNorm()),
+            (vec(loads_[k].f) + gas_[k].Sp*(gas_[k].Uc - v) + gas_[k].Su).norm(),
+            vec(loads_[k].t).norm(), elapsed
+        );
+        due = due || rest_[k].quietTime >= window;
     }
     if (!due) return;
     prepareSprings(0);
@@ -1220,7 +1228,7 @@ void IslandIntegrator::checkRest(double elapsed, StepReport& report)
     const auto quiet = [&](int i)
     {
         const RestState& rest = rest_[std::size_t(i)];
-        return !rest.resting && rest.quietTime >= window;
+        return !rest.resting && !flies_[std::size_t(i)] && rest.quietTime >= window;
     };
     DisjointSets clusters(particles_.size());
     for (const LawLists& l : lists_)
@@ -1265,11 +1273,8 @@ void IslandIntegrator::checkRest(double elapsed, StepReport& report)
         rest.resting = true;
         const Vec3 gasForce = gasForceAtRest(gas_[k]);
         for (int d = 0; d < 3; ++d) rest.force[d] = gasForce[d];
-        const Weakest& w = weakest_[k];
-        rest.pullOff = w.pullOff;
-        rest.wakeForce =
-            time_.restTolerance*wakeForceChange
-           *(w.yield > 0 ? std::min(w.pullOff, w.yield/b.r) : w.pullOff);
+        rest.pullOff = weakest_[k].pullOff;
+        rest.wakeForce = wakeForceOf(k);
         ++report.sleeps;
     }
     if (kept == awake_.size()) return;
@@ -1325,6 +1330,154 @@ void IslandIntegrator::checkRest(double elapsed, StepReport& report)
 }
 
 
+//- Change of the load from outside that wakes particle k [N]
+double IslandIntegrator::wakeForceOf(std::size_t k) const
+{
+    const Weakest& w = weakest_[k];
+    const double rolls = w.yield.moment/bodies_[k].r;
+    return
+        time_.restTolerance*wakeForceChange
+       *(rolls > 0 ? std::min(w.pullOff, rolls) : w.pullOff);
+}
+
+
+//- How long particle k has been quiet, by its energy [J] and what is out of balance on it
+void IslandIntegrator::judge
+(
+    std::size_t k, double energy, double force, double torque, double elapsed
+)
+{
+    const Weakest& w = weakest_[k];
+    const double tolerance = time_.restTolerance;
+    double& quiet = rest_[k].quietTime;
+    const double small = tolerance*quietEnergy*w.pullOff*w.delta;
+    if
+    (
+        !(w.pullOff > 0 && w.pullOff < 1e300)
+     || force >= tolerance*quietForce*w.pullOff
+     || torque >= tolerance*std::max(quietTorque*w.pullOff*bodies_[k].r, w.yield.moment)
+     || energy >= std::max(small, tolerance*w.yield.energy)
+    ) quiet = 0;
+    else quiet += energy < small ? elapsed : elapsed/rockingWindows;
+}
+
+
+//- Clusters of awake particles that hold on to nothing
+void IslandIntegrator::findFlying()
+{
+    const std::size_t n = particles_.size();
+    flying_.clear();
+    flies_.assign(n, 0);
+    DisjointSets clusters(n);
+    std::vector<char>& loose = flies_;
+    for (const LawLists& l : lists_)
+    {
+        for (std::size_t k = 0; k < l.pairs.size(); ++k)
+        {
+            const std::size_t i = std::size_t(l.pairs.i[k]), j = std::size_t(l.pairs.j[k]);
+            if (!rest_[i].resting && !rest_[j].resting) clusters.join(i, j);
+        }
+    }
+    std::vector<char> held(n, 0);   // by root
+    for (const LawLists& l : lists_)
+    {
+        for (std::size_t k = 0; k < l.walls.size(); ++k)
+        {
+            held[clusters.find(std::size_t(l.walls.i[k]))] = 1;
+        }
+        for (std::size_t k = 0; k < l.pairs.size(); ++k)
+        {
+            const std::size_t i = std::size_t(l.pairs.i[k]), j = std::size_t(l.pairs.j[k]);
+            if (rest_[i].resting != rest_[j].resting)
+            {
+                held[clusters.find(rest_[i].resting ? j : i)] = 1;
+            }
+            else loose[i] = loose[j] = 1;
+        }
+    }
+    for (const int i : awake_)
+    {
+        const std::size_t k = std::size_t(i);
+        loose[k] = loose[k] && !held[clusters.find(k)];
+        if (loose[k]) flying_.push_back({int(clusters.find(k)), i});
+    }
+    std::sort(flying_.begin(), flying_.end());
+}
+
+
+//- f(members, body) for each of these clusters
+template<class F>
+void IslandIntegrator::forFlying(F&& f)
+{
+    std::vector<int> members;
+    std::vector<Particle> particles;
+    std::vector<GasLoad> gas;
+    for (std::size_t first = 0, last; first < flying_.size(); first = last)
+    {
+        members.clear();
+        particles.clear();
+        gas.clear();
+        last = first;
+        for (; last < flying_.size() && flying_[last].first == flying_[first].first; ++last)
+        {
+            const int i = flying_[last].second;
+            const std::size_t k = std::size_t(i);
+            Particle p = particles_[k];
+            p.x = vec(bodies_[k].x);
+            p.v = vec(bodies_[k].v);
+            p.omega = vec(bodies_[k].w);
+            members.push_back(i);
+            particles.push_back(p);
+            gas.push_back(gas_[k]);
+        }
+        RigidAggregate body(particles, gas, periodic_);
+        f(members, body);
+    }
+}
+
+
+//- Clusters that have been quiet go on as rigid aggregates
+void IslandIntegrator::freezeFlying(StepReport& report)
+{
+    if (!time_.islands || time_.restTolerance <= 0 || window_ <= 0) return;
+    bool due = false;
+    for (const int i : awake_) due = due || rest_[std::size_t(i)].quietTime >= window_;
+    if (!due) return;
+
+    findFlying();
+    forFlying([&](const std::vector<int>& members, RigidAggregate& body)
+    {
+        std::int64_t lowest = particles_[std::size_t(members[0])].id;
+        for (const int i : members)
+        {
+            if (rest_[std::size_t(i)].quietTime < window_) return;
+            lowest = std::min(lowest, particles_[std::size_t(i)].id);
+        }
+        report.energyRemovedByRest += body.stiffen();
+        for (std::size_t m = 0; m < members.size(); ++m)
+        {
+            const std::size_t k = std::size_t(members[m]);
+            const Vec3 v = body.velocity(m), omega = body.spin();
+            const Vec3 force = body.contactForce(m), arm = body.arm(m);
+            RestState& rest = rest_[k];
+            for (int d = 0; d < 3; ++d)
+            {
+                bodies_[k].v[d] = v[d];
+                bodies_[k].w[d] = omega[d];
+                rest.force[d] = force[d];
+                rest.arm[d] = arm[d];
+            }
+            rest.resting = true;
+            rest.aggregate = lowest;
+            rest.members = int(members.size());
+            rest.pullOff = weakest_[k].pullOff;
+            rest.wakeForce = wakeForceOf(k);
+            ++report.sleeps;
+        }
+    });
+}
+
+
 void IslandIntegrator::fail
 (
     const std::string& what, int i, int j, double time
@@ -1350,7 +1503,8 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
     const std::size_t n = particles_.size();
     bodies_.resize(n);
     motion_.assign(n, Motion{});
-    ahead_ = owed_ = contactStep_ = 0;
+    ahead_ = owed_ = contactStep_ = window_ = 0;
+    flies_.assign(n, 0);
     loads_.assign(n, Load{});
     awake_.clear();
     smallest_ = 1e300;
@@ -1530,6 +1684,7 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
     }
 
     prepareSprings(0);
+    freezeFlying(report);
     for (LawLists& l : lists_)
     {
         for (std::size_t k = 0; k < l.pairs.size(); ++k) store(l.pairs, k, false);

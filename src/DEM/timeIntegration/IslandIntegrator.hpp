@@ -17,10 +17,13 @@
 //     kinetic energy < 0.1 F_C delta_C,  |force| < 0.1 F_C,
 //     |torque| < max(0.02 F_C r, M_y)     (M_y: rolling yields)
 // times restTolerance, F_C and delta_C the weakest of its contacts as softened, and when it
-// holds on to a wall, directly or by particles at rest. It wakes when |force| > F_C or
+// holds on to a wall, directly or by particles at rest. (One that rocks, with less energy
+// than would let it roll, has no damping: it counts as quiet after 30 windows.) It wakes when |force| > F_C or
 // |torque| > F_C r times restTolerance, what its resting neighbours give to it included;
 // when a contact of it ends; or when the gas force on it has changed by
-// 0.1 min(F_C, M_y/r). Contacts between two that rest keep load and history.
+// 0.1 min(F_C, M_y/r). Contacts between two that rest keep load and history. A cluster that
+// flies is judged by its motion beyond that of a rigid body of the same momentum and angular
+// momentum; at the end of the particle step it may become a RigidAggregate.
 #pragma once
 
 #include "contacts/ContactRecord.hpp"
@@ -36,6 +39,8 @@
 
 namespace dem
 {
+
+class RigidAggregate;
 
 //- Whether a resting particle must wake because its gas load has changed, or because it was
 //  moved from outside (negative wakeForce)
@@ -114,7 +119,7 @@ private:
         int materialJ;
         double neck;        // the contact ends at overlap -neck [m]
         double pullOff;     // [N]
-        double yield;       // rolling yield moment [N m], 0 = none
+        RollingYield yield;
         double a0, R, m;
         double invInertia;  // 1/I_i + 1/I_j [1/(kg m2)]
     };
@@ -127,7 +132,8 @@ private:
     //- Weakest contact of a particle, for the rest criterion
     struct Weakest
     {
-        double pullOff, delta, yield;
+        double pullOff, delta;
+        RollingYield yield;
     };
 
     //- Velocities before the kick that still is to come (complete()); fourth components zero
@@ -175,6 +181,14 @@ private:
     double timeToTouch(bool contact) const;
     double timeToEnd(double h) const;
     void checkRest(double elapsed, StepReport& report);
+    void judge
+    (
+        std::size_t k, double energy, double force, double torque, double elapsed
+    );
+    double wakeForceOf(std::size_t k) const;
+    void findFlying();
+    template<class F> void forFlying(F&& f);
+    void freezeFlying(StepReport& report);
     double gap(const Candidate& c, Vec3& n) const;
     bool meets(const Candidate& c, double margin = 0) const;
     double wallTouch(int i, int patch) const;
@@ -211,6 +225,9 @@ private:
     std::vector<std::vector<WallHit>> hits_;
     std::vector<std::vector<char>> hitTaken_;
     std::vector<Weakest> weakest_;
+    std::vector<std::pair<int, int>> flying_;   // cluster without a hold, particle
+    std::vector<char> flies_;                   // by particle: it is in one of them
+    double window_ = 0;                         // [s] for the rest criterion
     std::vector<int> boundary_;             // at rest, in contact with one that is awake
     std::vector<Load> frozen_;              // of those at rest: from contacts at rest
     std::vector<char> frozenKnown_;         // frozen_ holds for the contacts stored now

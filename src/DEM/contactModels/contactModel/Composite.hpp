@@ -605,17 +605,31 @@ public:
         }
     }
 
-    double rollingYield(const double* c) const override
+    RollingYield rollingYield(const double* c) const override
     {
         if constexpr (Rolling::on)
         {
-            return Rolling::yield(c + cR);
+            const double moment = Rolling::yield(c + cR);
+            const double k = Rolling::rotationalStiffness(c + cR, 0, 0);
+            return {moment, k > 0 ? 0.5*moment*moment/k : 0};
         }
         else
         {
             (void)c;
-            return 0;
+            return {0, 0};
         }
+    }
+
+    void turnHistory(const Eigen::Matrix3d& R, double* history) const override
+    {
+        const auto turn = [&](int column)
+        {
+            Eigen::Map<Vec3> xi(history + column);
+            xi = R*Vec3(xi);
+        };
+        if constexpr (Tangential::on) turn(hT);
+        if constexpr (Rolling::on) turn(hR);
+        (void)turn;
     }
 
     NormalResponse<double> normalResponse

@@ -8,8 +8,9 @@
 #include "contactModels/contactModel/NormalResponse.hpp"
 #include "contacts/ContactList.hpp"
 #include "materials/ContactSettings.hpp"
-#include "timeIntegration/contactPeriod.hpp"
 #include "neighbourSearch/Periodic.hpp"
+#include "particles/vector.hpp"
+#include "timeIntegration/contactPeriod.hpp"
 
 #include <memory>
 #include <string>
@@ -21,6 +22,12 @@ namespace dem
 inline constexpr int maxHistory = 10;
 //- The most constants that any law keeps per contact
 inline constexpr int maxConstants = 24;
+
+struct RollingYield
+{
+    double moment;      // [N m]
+    double energy;      // stored there [J]
+};
 
 class ContactLaw
 {
@@ -55,8 +62,11 @@ public:
     //- Without adhesion and damping, at this speed [m/s]
     virtual Impact impact(int pair, const ContactScale& s, double speed) const = 0;
 
-    //- Moment at which rolling yields at A = 1 [N m]; 0 without rolling resistance
-    virtual double rollingYield(const double* constants) const = 0;
+    //- Where rolling yields at A = 1; zeros without rolling resistance
+    virtual RollingYield rollingYield(const double* constants) const = 0;
+
+    //- Turn what the history holds in space by R, as the pair turns
+    virtual void turnHistory(const Eigen::Matrix3d& R, double* history) const = 0;
 
     //- The normal part alone; `history` holds the contact's history values and is moved on
     virtual NormalResponse<double> normalResponse
