@@ -216,7 +216,7 @@ int main(int argc, char *argv[])
     {
         Info<< nl << failed << " of " << label(runs.runs().size())
             << " runs failed, see above" << endl;
-        return 1;
+        std::exit(1);       // argList would end with 0
     }
     Info<< nl << "End" << nl << endl;
     return 0;

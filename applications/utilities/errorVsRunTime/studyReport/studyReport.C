@@ -63,6 +63,25 @@ std::string quoted(const std::string& s)
 }
 
 
+//- 1, 2, 5, 10, ... from a to b; more than two decades: 1, 10, ...
+std::string tics(const double a, const double b)
+{
+    std::string list;
+    for (int k = int(std::floor(std::log10(a))); std::pow(10.0, k) <= b; ++k)
+    {
+        for (const int digit : {1, 2, 5})
+        {
+            if (digit == 1 || b < 100*a)
+            {
+                list +=
+                    (list.empty() ? "" : ", ") + text(digit*std::pow(10.0, k));
+            }
+        }
+    }
+    return list;
+}
+
+
 //- Integral of cos^n from 0 to b, by Simpson's rule
 double cosinePower(const int n, const double b)
 {
@@ -87,7 +106,7 @@ const Foam::studyRuns::run& Foam::studyReport::runOf
     const std::size_t seed
 ) const
 {
-    return runs_[setting*settings_.seeds().values.size() + seed];
+    return runs_[seed*settings_.settings().size() + setting];
 }
 
 
@@ -381,6 +400,7 @@ void Foam::studyReport::writePicture
         << "set multiplot layout " << lines << ',' << columns << '\n'
         << "set logscale xy\nset format \"%g\"\nset grid lc rgb \"#dddddd\"\n"
         << "set xrange [" << 0.8*least << ':' << 1.6*most << "]\n"
+        << "set xtics (" << tics(0.8*least, 1.6*most) << ")\n"
         << "set xlabel \"CPU time [s]\"\nset key outside bottom center"
         << " horizontal\nset bars 0.5\n";
 

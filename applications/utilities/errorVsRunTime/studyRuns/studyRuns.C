@@ -311,20 +311,25 @@ void Foam::studyRuns::findFiles()
 std::string Foam::studyRuns::checksum() const
 {
     SHA1 sum;
+    const std::string commands
+    (
+        settings_.command() + '\n' + settings_.prepare() + '\n'
+    );
     for (const std::string& file : files_)
     {
-        if (file != dictionaryFile)
+        const bool script = file == "Allrun" || file == "Allclean";
+        if
+        (
+            file != dictionaryFile
+         && (!script || commands.find(file) != std::string::npos)
+        )
         {
             sum.append(file + '\n');
             const std::string text(contents(file));
             sum.append(text.data(), text.size());
         }
     }
-    sum.append
-    (
-        settings_.command() + '\n' + settings_.prepare() + '\n'
-      + std::to_string(settings_.ranks()) + '\n'
-    );
+    sum.append(commands + std::to_string(settings_.ranks()) + '\n');
     return sum.str();
 }
 
@@ -477,8 +482,32 @@ std::string Foam::studyRuns::name(const run& r) const
 }
 
 
-void Foam::studyRuns::report(const run& r)
+Foam::scalar Foam::studyRuns::secondsLeft() const
 {
+    // A run takes as long as others of its setting, or as all do on average
+    std::vector<scalar> sum(settings_.settings().size()), n(sum.size());
+    scalar all = 0;
+    for (const run& r : runs_)
+    {
+        sum[r.setting] += r.wall;
+        n[r.setting] += r.wall > 0;
+        all += r.wall;
+    }
+    scalar left = 0;
+    for (const run& r : runs_)
+    {
+        if (!r.finished && r.failure.empty())
+        {
+            left += n[r.setting] ? sum[r.setting]/n[r.setting] : all/done_;
+        }
+    }
+    return left/settings_.jobs();
+}
+
+
+void Foam::studyRuns::report(run& r)
+{
+    r.wall = wallClock() - r.began;
     ++done_;
     Info<< "    " << label(done_) << '/' << label(toDo_) << "  "
         << name(r).c_str() << ": ";
@@ -492,8 +521,7 @@ void Foam::studyRuns::report(const run& r)
     }
     if (done_ < toDo_)
     {
-        const scalar left = (wallClock() - began_)*(toDo_ - done_)/done_;
-        Info<< ", left about " << duration(left).c_str();
+        Info<< ", left about " << duration(secondsLeft()).c_str();
     }
     Info<< endl;
 }
@@ -504,16 +532,17 @@ void Foam::studyRuns::report(const run& r)
 Foam::studyRuns::studyRuns(const studySettings& settings)
 :
     settings_(settings),
-    began_(wallClock()),
     done_(0),
     toDo_(0)
 {
     findFiles();
     const std::string common(checksum());
 
-    for (std::size_t i = 0; i < settings.settings().size(); ++i)
+    // Seeds outermost: all settings with the first seed, and it is known how
+    // long the others take
+    for (std::size_t k = 0; k < settings.seeds().values.size(); ++k)
     {
-        for (std::size_t k = 0; k < settings.seeds().values.size(); ++k)
+        for (std::size_t i = 0; i < settings.settings().size(); ++i)
         {
             const std::string& seed = settings.seeds().values[k];
             const studySettings::setting& s = settings.settings()[i];
@@ -543,6 +572,7 @@ Foam::studyRuns::studyRuns(const studySettings& settings)
             r.checksum = sum.str();
 
             r.finished = recorded(r) && readResults(r);
+            r.failure.clear();
             toDo_ += !r.finished;
             runs_.push_back(r);
         }
@@ -603,7 +633,7 @@ void Foam::studyRuns::execute()
                 break;
             }
             makeCase(*next);
-            next->failure.clear();
+            next->began = wallClock();
             running[start(next->directory, stages[0].command, stages[0].log)] =
                 {&*next, 0};
             ++next;

@@ -68,7 +68,7 @@ static std::vector<std::string> itemsOf
         {
             ITstream one(keyword, tokenList(1, t));
             const std::string text(entryText::tokensText(one));
-            if (depth == 1)
+            if (depth == 1 && !close)
             {
                 items.push_back(text);
             }
