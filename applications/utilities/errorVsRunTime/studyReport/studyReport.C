@@ -401,8 +401,8 @@ void Foam::studyReport::writePicture
         << "set logscale xy\nset format \"%g\"\nset grid lc rgb \"#dddddd\"\n"
         << "set xrange [" << 0.8*least << ':' << 1.6*most << "]\n"
         << "set xtics (" << tics(0.8*least, 1.6*most) << ")\n"
-        << "set xlabel \"CPU time [s]\"\nset key outside bottom center"
-        << " horizontal\nset bars 0.5\n";
+        << "set xlabel \"CPU time [s]\" offset 0,0.6\nset key outside bottom center"
+        << " horizontal samplen 2 font \",9\"\nset bars 0.5\n";
 
     for (std::size_t q = 0; q < quantities.size(); ++q)
     {
