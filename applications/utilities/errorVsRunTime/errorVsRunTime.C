@@ -30,7 +30,8 @@ Description
 
     Every run has a copy of the case, errorVsRunTime/\<setting\>[/seed\<k\>].
     Runs that ended well are not repeated, unless the case or their setting has
-    changed; one that fails is named with its log, and the others go on. Writes
+    changed (a new build of the program is not noticed: remove errorVsRunTime/);
+    one that fails is named with its log, and the others go on. Writes
     postProcessing/errorVsRunTime/errorVsRunTime.csv,
 
     \verbatim

@@ -25,6 +25,7 @@ License
 #include "ITstream.H"
 #include "StringStream.H"
 
+#include <algorithm>
 #include <cctype>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //

@@ -521,7 +521,8 @@ void Foam::studyReport::writePicture
                  + quantities[q].name
                  + (settings_.seeded() ? ", 95 % limits" : "")
                )
-            << "\nset yrange [" << edge << ':' << 2*highest << "]\nplot \\\n" << plot.str() << '\n';
+            << "\nset yrange [" << edge << ':' << 2*highest
+            << "]\nplot \\\n" << plot.str() << '\n';
     }
     os << "unset multiplot\n";
 }
