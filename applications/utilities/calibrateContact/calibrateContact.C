@@ -71,11 +71,10 @@ Usage
 
 \*---------------------------------------------------------------------------*/
 
-#include "dustProperties.H"
+#include "caseInput.H"
 #include "scaledCollision.H"
 
 #include "argList.H"
-#include "IOdictionary.H"
 #include "IOmanip.H"
 #include "mathematicalConstants.H"
 #include "OFstream.H"
@@ -89,6 +88,10 @@ Usage
 #include <functional>
 
 using namespace Foam;
+
+using caseInput::check;
+using caseInput::choice;
+using caseInput::positive;
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -136,38 +139,6 @@ struct contactSettings
 };
 
 
-void check
-(
-    const dictionary& dict,
-    const word& keyword,
-    const scalar value,
-    const bool good,
-    const string& allowed
-)
-{
-    if (!good)
-    {
-        dustProperties::error
-        (
-            dict, keyword, "is " + Foam::name(value), allowed
-        );
-    }
-}
-
-
-scalar positive
-(
-    const dictionary& dict,
-    const word& keyword,
-    const string& unit
-)
-{
-    const scalar value = dict.get<scalar>(keyword);
-    check(dict, keyword, value, value > 0, "> 0 " + unit);
-    return value;
-}
-
-
 measurement checkedPoint
 (
     const dictionary& dict,
@@ -197,12 +168,7 @@ void lookAtProperties
 {
     IOobject io
     (
-        "dustProperties",
-        runTime.constant(),
-        runTime,
-        IOobject::MUST_READ,
-        IOobject::NO_WRITE,
-        false
+        caseInput::mustRead("dustProperties", runTime.constant(), runTime)
     );
     if (!io.typeHeaderOk<IOdictionary>(false))
     {
@@ -287,16 +253,11 @@ contactSettings readSettings(const dictionary& dict, const Time& runTime)
 
     const word configuration
     (
-        dict.lookupOrDefault<word>("configuration", wall ? "wall" : "spheres")
-    );
-    if (configuration != "wall" && configuration != "spheres")
-    {
-        dustProperties::error
+        choice
         (
-            dict, "configuration", "unknown value '" + configuration + "'",
-            "wall, spheres"
-        );
-    }
+            dict, "configuration", wall ? "wall" : "spheres", {"wall", "spheres"}
+        )
+    );
     if (!known && !dict.found("configuration"))
     {
         dustProperties::error
@@ -309,14 +270,7 @@ contactSettings readSettings(const dictionary& dict, const Time& runTime)
     }
     s.wall = configuration == "wall";
 
-    s.model = dict.lookupOrDefault<word>("model", "JKR");
-    if (s.model != "JKR" && s.model != "simplifiedJKR")
-    {
-        dustProperties::error
-        (
-            dict, "model", "unknown value '" + s.model + "'", "JKR, simplifiedJKR"
-        );
-    }
+    s.model = choice(dict, "model", "JKR", {"JKR", "simplifiedJKR"});
 
     const List<Tuple2<scalar, scalar>> points
     (
@@ -701,15 +655,7 @@ int main(int argc, char *argv[])
 
     const IOdictionary dict
     (
-        IOobject
-        (
-            "calibrateContactDict",
-            runTime.system(),
-            runTime,
-            IOobject::MUST_READ,
-            IOobject::NO_WRITE,
-            false
-        )
+        caseInput::mustRead("calibrateContactDict", runTime.system(), runTime)
     );
     const contactSettings s(readSettings(dict, runTime));
     const scaledCollision curve(s.model == "JKR");

@@ -62,12 +62,12 @@ Usage
 
 \*---------------------------------------------------------------------------*/
 
+#include "caseInput.H"
 #include "contactPair.H"
 #include "heldContact.H"
 #include "probeSettings.H"
 
 #include "argList.H"
-#include "IOdictionary.H"
 #include "IOmanip.H"
 #include "mathematicalConstants.H"
 #include "OFstream.H"
@@ -877,30 +877,14 @@ int main(int argc, char *argv[])
 
     const IOdictionary properties
     (
-        IOobject
-        (
-            "dustProperties",
-            runTime.constant(),
-            runTime,
-            IOobject::MUST_READ,
-            IOobject::NO_WRITE,
-            false
-        )
+        caseInput::mustRead("dustProperties", runTime.constant(), runTime)
     );
     dustProperties::checkKeywords(properties, dustProperties::keywords());
     dustProperties dust(properties);
 
     const IOdictionary probeDict
     (
-        IOobject
-        (
-            "contactProbeDict",
-            runTime.system(),
-            runTime,
-            IOobject::MUST_READ,
-            IOobject::NO_WRITE,
-            false
-        )
+        caseInput::mustRead("contactProbeDict", runTime.system(), runTime)
     );
     const probeSettings settings
     (

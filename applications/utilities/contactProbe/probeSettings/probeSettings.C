@@ -19,37 +19,18 @@ License
 
 \*---------------------------------------------------------------------------*/
 
+#include "caseInput.H"
 #include "probeSettings.H"
 
 #include <functional>
+
+using Foam::caseInput::check;
+using Foam::caseInput::positiveOr;
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
-
-//- Refuse a number of dict that is not good
-static void check
-(
-    const dictionary& dict,
-    const word& keyword,
-    const scalar value,
-    const bool good,
-    const string& allowed
-)
-{
-    if (!good)
-    {
-        dustProperties::error
-        (
-            dict,
-            keyword,
-            "is " + Foam::name(value),
-            allowed
-        );
-    }
-}
-
 
 //- A list of numbers that are all good; one of them at least
 static scalarList checkedList
@@ -71,24 +52,6 @@ static scalarList checkedList
         check(dict, keyword, value, good(value), allowed);
     }
     return values;
-}
-
-
-static scalar positiveOr
-(
-    const dictionary& dict,
-    const word& keyword,
-    const scalar otherwise,
-    const string& unit
-)
-{
-    if (!dict.found(keyword))
-    {
-        return otherwise;
-    }
-    const scalar value = dict.get<scalar>(keyword);
-    check(dict, keyword, value, value > 0, "> 0 " + unit);
-    return value;
 }
 
 } // End namespace Foam
