@@ -22,6 +22,9 @@ constexpr int stepsBetweenLooksDense = 32;
 // worth a step of its own
 constexpr std::size_t denseIsland = 256;
 
+// Time over which steps grow to their full length, over the period of the contact
+constexpr double gradedShare = 1.0/16;
+
 // Rest criterion (see the header)
 constexpr double quietEnergy = 0.1;
 constexpr double quietForce = 0.1;
@@ -803,6 +806,30 @@ double IslandIntegrator::drift(double h)
 }
 
 
+//- Add half of the coming change of the loads to the predicted velocities
+void IslandIntegrator::foresee(double h)
+{
+    if (previousStep_ > 0)
+    {
+        const double share = 0.5*h/previousStep_;
+        for (const int i : awake_)
+        {
+            const std::size_t k = std::size_t(i);
+            Body& b = bodies_[k];
+            const double push = share*0.5*h*kicks_[k].invM;
+            const double turn = share*0.5*h*kicks_[k].invI;
+            for (int d = 0; d < 3; ++d)
+            {
+                b.v[d] += push*(loads_[k].f[d] - previousLoads_[k].f[d]);
+                b.w[d] += turn*(loads_[k].t[d] - previousLoads_[k].t[d]);
+            }
+        }
+    }
+    previousLoads_ = loads_;
+    previousStep_ = h;
+}
+
+
 //- One step of h, after which one of `next` is expected
 void IslandIntegrator::step(double h, double next, StepReport& report)
 {
@@ -812,6 +839,7 @@ void IslandIntegrator::step(double h, double next, StepReport& report)
     moved_ += fastest_*h;
     if (2*moved_ > 0.5*skin_) refreshNear();
 
+    if (exactEvents_) foresee(h);
     updateWalls();
     evaluate({h, 0.5*h, 0.5*next}, report);
     ahead_ = next;
@@ -1033,10 +1061,14 @@ double IslandIntegrator::timeToTouch(bool contact) const
 }
 
 
-//- Time after which a contact ends, if within h; else 1e300
-double IslandIntegrator::timeToEnd(double h) const
+//- A step of at most h, graded as the header says; end: time after which a contact ends, if
+//  within that step, else 1e300
+double IslandIntegrator::gradedStep(double h, double& end) const
 {
-    double shortest = 1e300;
+    const double tau = gradedShare*time_.stepsPerContact*h;
+    const double first = 0.25*h*h/tau;
+    double graded = h;
+    end = 1e300;
     for (const LawLists& l : lists_)
     {
         for (const bool wall : {false, true})
@@ -1047,7 +1079,7 @@ double IslandIntegrator::timeToEnd(double h) const
                 const Entry& e = entries_[std::size_t(list.tag[k])];
                 const double left = list.overlap[k] + e.neck;
                 // most contacts are nowhere near their end
-                if (left > fastest_*2*h) continue;
+                if (left > fastest_*2*std::max(h, tau)) continue;
                 const Body& bi = bodies_[std::size_t(list.i[k])];
                 double opening;
                 if (wall)
@@ -1061,11 +1093,21 @@ double IslandIntegrator::timeToEnd(double h) const
                     const Vec3 n = periodic_.nearest(vec(bj.x) - vec(bi.x)).normalized();
                     opening = (vec(bj.v) - vec(bi.v)).dot(n);
                 }
-                if (opening > 0) shortest = std::min(shortest, left/opening);
+                if (opening == 0) continue;
+                const double t = std::max(left, 0.0)/std::fabs(opening);
+                const double even = h*std::sqrt(t/tau);
+                if (opening > 0)
+                {
+                    end = std::min(end, t);
+                    if (t > first) graded = std::min(graded, even - first);
+                }
+                // a neck is only on the way out
+                else if (e.neck == 0) graded = std::min(graded, even + first);
             }
         }
     }
-    return shortest < h ? shortest : 1e300;
+    if (end >= graded) end = 1e300;
+    return graded;
 }
 
 
@@ -1325,6 +1367,9 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
     exactEvents_ = candidates_.size() < denseIsland;
     const double stiffest = time_.islands ? 0 : stiffestStep(speedBound);
     const int lookInterval = exactEvents_ ? stepsBetweenLooks : stepsBetweenLooksDense;
+    // an event is passed by at most this part of a step: its error is of second order too
+    const double overshoot = 0.05/time_.stepsPerContact;
+    previousStep_ = 0;
     double t = 0, h = 0, sinceLook = 0;
     int looked = lookInterval, shortened = 0;
     double nearTouch = 0;
@@ -1358,11 +1403,13 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
             now = left < 1.5*h ? left : h;
             if (exactEvents_ && shortened < 3)
             {
-                const double event = std::min(timeToTouch(true), timeToEnd(now));
+                double end;
+                now = std::min(now, gradedStep(h, end));
+                const double event = std::min(timeToTouch(true), end);
                 if (event < now)
                 {
                     // a little beyond, so that it has happened
-                    now = std::min(now, std::max(event*(1 + 1e-9), 1e-3*h));
+                    now = std::min(now, std::max(event*(1 + 1e-9), overshoot*h));
                     ++shortened;
                     looked = lookInterval;
                 }
@@ -1375,11 +1422,11 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
         }
         else
         {
-            // Near a touch go on by thousandths of the contact step that would follow
+            // Near a touch go on by small parts of the contact step that would follow
             now = timeToTouch(false);
             if (now < 1e-6*smallest_/std::max({fastest_, speedBound, 1e-300}))
             {
-                if (nearTouch == 0) nearTouch = 1e-3*stiffestStep(speedBound);
+                if (nearTouch == 0) nearTouch = overshoot*stiffestStep(speedBound);
                 now = std::max(now, nearTouch);
             }
             now = std::min(now, left);
@@ -1397,7 +1444,11 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
         wakeLoaded(report);
         bool event = endMarked(report);
         event = form(report) || event;
-        if (event && exactEvents_) looked = lookInterval;
+        if (event)
+        {
+            previousStep_ = 0;
+            if (exactEvents_) looked = lookInterval;
+        }
         if (looked >= lookInterval && sinceLook > 0)
         {
             checkRest(sinceLook, report);

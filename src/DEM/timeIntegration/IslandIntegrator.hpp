@@ -7,10 +7,17 @@
 // now (contactPeriod.hpp). One contact step, v_n -> v_n+1:
 //     v_h = v_n + (h/2) F_n/m              kick by contact forces
 //     x, v_h moved by the exact flight     drag, gravity
-//     F_n+1 from x_n+1 and the predictor v_h + (h/2) F_n/m
+//     F_n+1 from x_n+1 and the predictor v_h + (h/2) F*/m,  F* = F_n
 //     v_n+1 = v_h + (h/2) F_n+1/m
-// which is of second order, damping included. Small islands end a step exactly where a
-// contact begins or ends, because the force jumps there.
+// which is of second order, damping included, where the force is smooth. Small islands keep
+// that order where it is not, and take
+//   - F* = F_n + (F_n - F_n-1)/2: with F_n dashpots take too much, with the whole
+//     extrapolation as much too little;
+//   - steps that end where a contact begins or ends, because the force jumps there;
+//   - steps graded as h (t/tau)^(1/2), tau = T/16, where a force begins or ends with an
+//     infinite slope (dashpots with overlap^(1/4), the end of a neck): t is the time since
+//     overlap 0 or until the end, by the speed of now. The first of them is h^2/(4 tau).
+// Proof: tests/verification/DEM/{convergence,pslRebound}.cpp
 //
 // Rest: a particle falls asleep, and is then a fixed boundary for those awake, when for a
 // whole window (3 normal periods) it has had
@@ -161,6 +168,7 @@ private:
 
     // Stepping
     void step(double h, double next, StepReport& report);
+    void foresee(double h);
     void prepareSprings(double h);
     template<bool gas> double drift(double h);
     void setFlight(double h);
@@ -170,7 +178,7 @@ private:
     double contactStep(double time, StepReport& report);
     double stiffestStep(double speed) const;
     double timeToTouch(bool contact) const;
-    double timeToEnd(double h) const;
+    double gradedStep(double h, double& end) const;
     void checkRest(double elapsed, StepReport& report);
     double gap(const Candidate& c, Vec3& n) const;
     bool meets(const Candidate& c) const;
@@ -197,6 +205,7 @@ private:
     std::vector<Body> bodies_;
     std::vector<Kick> kicks_;
     std::vector<Load> loads_;
+    std::vector<Load> previousLoads_;       // small islands only
     std::vector<Flight> flight_;
     std::vector<int> awake_;
     std::vector<LawLists> lists_;           // by law
@@ -214,6 +223,7 @@ private:
     std::vector<std::vector<double>> wallTouch_;    // [m], by material and patch
 
     double ahead_ = 0;          // [s] step by half of which the springs are ahead
+    double previousStep_ = 0;   // [s] from previousLoads_ to loads_; 0 = there are none
     double flightStep_ = -1;    // h that flight_ is made for
     double skin_ = 0;           // [m] how far beyond touch near_ looks
     double moved_ = 0;          // [m] path of the fastest since refreshNear()
