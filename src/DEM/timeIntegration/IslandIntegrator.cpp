@@ -329,6 +329,13 @@ bool IslandIntegrator::endMarked(StepReport& report)
             for (std::size_t k = list.size(); k-- > 0;)
             {
                 if (!list.ended[k]) continue;
+                if (time_.energyLedger)
+                {
+                    const ContactEnergy e = energyOf(l, list, k);
+                    report.energy.normal -= e.normal.stored;
+                    report.energy.springs -= e.inSprings();
+                    report.energy.released += e.normal.stored + e.inSprings();
+                }
                 if (wall)
                 {
                     law.evaluateWalls(list, k, k + 1, bodies_.data(), loads_.data(), {0, -0.5*ahead_, 0}, -1);
@@ -423,6 +430,15 @@ bool IslandIntegrator::form(StepReport& report)
                 lists_[l].walls, before[l].walls, lists_[l].walls.size(),
                 bodies_.data(), loads_.data(), {0, 0, 0.5*ahead_}, 1
             );
+            if (!time_.energyLedger) continue;
+            for (std::size_t k = before[l].pairs; k < lists_[l].pairs.size(); ++k)
+            {
+                report.energy.normal += energyOf(l, lists_[l].pairs, k).normal.stored;
+            }
+            for (std::size_t k = before[l].walls; k < lists_[l].walls.size(); ++k)
+            {
+                report.energy.normal += energyOf(l, lists_[l].walls, k).normal.stored;
+            }
         }
     }
     return any;
@@ -834,6 +850,7 @@ void IslandIntegrator::foresee(double h)
 void IslandIntegrator::step(double h, double next, StepReport& report)
 {
     prepareSprings(h);
+    if (time_.energyLedger) openLedger(h, report.energy);
     const double fastest = vacuum_ ? drift<false>(h) : drift<true>(h);
     fastest_ = std::sqrt(fastest);
     moved_ += fastest_*h;
@@ -856,8 +873,106 @@ void IslandIntegrator::step(double h, double next, StepReport& report)
             b.w[d] = kick.w[d] + turn*l.t[d];
         }
     }
+    if (time_.energyLedger) closeLedger(h, report.energy);
 }
 
+
+// * * * * * * * * * * * * * * * * Energy ledger  * * * * * * * * * * * * * * * * * * * //
+
+ContactEnergy IslandIntegrator::energyOf
+(
+    std::size_t law, const ContactList& list, std::size_t k
+) const
+{
+    return materials_.laws()[law]->energy(list, k, bodies_.data(), 0.5*ahead_, periodic_);
+}
+
+
+//- Of those awake [J], at the velocities `v` and `w` of a Body or Kick
+template<class Moving>
+double IslandIntegrator::kinetic(const std::vector<Moving>& moving) const
+{
+    double sum = 0;
+    for (const int i : awake_)
+    {
+        const Body& b = bodies_[std::size_t(i)];
+        const Moving& m = moving[std::size_t(i)];
+        sum += 0.5*(b.m*vec(m.v).squaredNorm() + b.I*vec(m.w).squaredNorm());
+    }
+    return sum;
+}
+
+
+//- Take down the energies before a step of h
+void IslandIntegrator::openLedger(double h, EnergyLedger& ledger)
+{
+    ledger.kinetic -= kinetic(bodies_);
+    for (const int i : awake_)
+    {
+        const Body& b = bodies_[std::size_t(i)];
+        const Load& l = loads_[std::size_t(i)];
+        Kick& kick = kicks_[std::size_t(i)];
+        for (int d = 0; d < 3; ++d)
+        {
+            kick.v[d] = b.v[d] + 0.5*h*kick.invM*l.f[d];
+            kick.w[d] = b.w[d] + 0.5*h*kick.invI*l.t[d];
+        }
+    }
+    ledger.gas -= kinetic(kicks_);
+
+    energies_.resize(entries_.size());
+    for (std::size_t l = 0; l < lists_.size(); ++l)
+    {
+        for (const ContactList* list : {&lists_[l].pairs, &lists_[l].walls})
+        {
+            for (std::size_t k = 0; k < list->size(); ++k)
+            {
+                energies_[std::size_t(list->tag[k])] = energyOf(l, *list, k);
+            }
+        }
+    }
+}
+
+
+//- Add up what the step of h has done. Gas and body forces work in the flight only.
+void IslandIntegrator::closeLedger(double h, EnergyLedger& ledger)
+{
+    ledger.kinetic += kinetic(bodies_);
+    ledger.gas += kinetic(kicks_);
+    for (std::size_t l = 0; l < lists_.size(); ++l)
+    {
+        const double sign = materials_.laws()[l]->elastic() ? 1 : -1;
+        for (const ContactList* list : {&lists_[l].pairs, &lists_[l].walls})
+        {
+            for (std::size_t k = 0; k < list->size(); ++k)
+            {
+                const ContactEnergy& before = energies_[std::size_t(list->tag[k])];
+                const ContactEnergy after = energyOf(l, *list, k);
+                ledger.normal += after.normal.stored - before.normal.stored;
+                ledger.plastic += after.normal.plastic - before.normal.plastic;
+                ledger.dashpots += 0.5*h*(before.dashpots + after.dashpots);
+                for (int s = 0; s < 3; ++s)
+                {
+                    const SpringEnergy& a = before.springs[s];
+                    const SpringEnergy& b = after.springs[s];
+                    const double change = b.stored() - a.stored();
+                    const double gain =
+                        0.25*sign*(a.square + b.square)*(b.stiffness - a.stiffness)
+                      + 0.5*h*(a.gain + b.gain);
+                    ledger.springs += change;
+                    ledger.springGain += gain;
+                    if (a.yields || b.yields)
+                    {
+                        ledger.yield += 0.5*h*(a.input + b.input) + gain - change;
+                    }
+                }
+            }
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * * Stepping * * * * * * * * * * * * * * * * * * * * * //
 
 //- Let the springs be ahead for a coming step h; loads are unchanged
 void IslandIntegrator::prepareSprings(double h)
@@ -1222,8 +1337,14 @@ void IslandIntegrator::checkRest(double elapsed, StepReport& report)
             continue;
         }
         Body& b = bodies_[k];
-        report.energyRemovedByRest +=
+        const double energy =
             0.5*(b.m*vec(b.v).squaredNorm() + b.I*vec(b.w).squaredNorm());
+        report.energyRemovedByRest += energy;
+        if (time_.energyLedger)
+        {
+            report.energy.kinetic -= energy;
+            report.energy.rest += energy;
+        }
         for (int d = 0; d < 3; ++d)
         {
             b.v[d] = b.w[d] = 0;

@@ -169,6 +169,12 @@ private:
     // Stepping
     void step(double h, double next, StepReport& report);
     void foresee(double h);
+
+    // Energy ledger
+    ContactEnergy energyOf(std::size_t law, const ContactList& list, std::size_t k) const;
+    template<class Moving> double kinetic(const std::vector<Moving>& moving) const;
+    void openLedger(double h, EnergyLedger& ledger);
+    void closeLedger(double h, EnergyLedger& ledger);
     void prepareSprings(double h);
     template<bool gas> double drift(double h);
     void setFlight(double h);
@@ -211,6 +217,7 @@ private:
     std::vector<LawLists> lists_;           // by law
     std::vector<Entry> entries_;
     std::vector<int> freeEntries_;
+    std::vector<ContactEnergy> energies_;   // by tag, before the step
     std::vector<int> near_;                 // candidates within the skin
     std::vector<std::vector<int>> nearSurfaces_;
     std::vector<std::vector<WallHit>> hits_;

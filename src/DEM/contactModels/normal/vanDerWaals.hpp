@@ -5,6 +5,7 @@
 //     F_N = -A_H R/(6 z^2)                  gap z = -delta, from `range` down to z0
 //     F_N = -A_H R/(6 z0^2)                 z0 > z > 0
 //     F_N = (4/3) E R^(1/2) delta^(3/2) - A_H R/(6 z0^2)     in contact, a = (R delta)^(1/2)
+//     energy: minus the integral of F_N from `range` on
 //
 // z0 [m] is the cut-off distance of the Hamaker force. Its constant A_H [J] is not a keyword
 // but follows from the surface energy gamma [J/m2] of the pair,
@@ -137,6 +138,16 @@ struct vanDerWaals
         r.elastic = r.elastic + (Real(1) - q*q)*c[3];
         r.remaining = overlap + c[6];
         return r;
+    }
+
+    static NormalEnergy energy(const double* c, double overlap, const double* h)
+    {
+        const double z0 = c[5], z = std::max(z0, -overlap);
+        return
+        {
+            Hertz::energy(c, overlap, h).stored
+          - c[3]*(z0*z0*(1/z - 1/c[6]) + std::max(z0 + overlap, 0.0))
+        };
     }
 };
 
