@@ -8,7 +8,7 @@
 //
 // What does not close is the error of the contact steps: kinetic energy comes from the
 // motion, stored energies from the closed forms of the laws, dissipated ones from powers by
-// the trapezoidal rule. Only what a spring loses at its limit (yield) is the difference of
+// quadrature. Only what a spring loses at its limit (yield) is the difference of
 // the work on it and its energy.
 // A spring whose stiffness k follows the contact radius is not conservative: at a held
 // displacement xi its energy grows by xi^2 dk/2 and nobody has paid for it (springGain); so

@@ -120,6 +120,7 @@ private:
         int candidate;      // pairs: index into candidates_
         int materialJ;
         double neck;        // the contact ends at overlap -neck [m]
+        double edge;        // overlap about which steps are graded [m]
         double pullOff;     // [N]
         double yield;       // rolling yield moment [N m], 0 = none
         double a0, R, m;
@@ -172,6 +173,11 @@ private:
 
     // Energy ledger
     ContactEnergy energyOf(std::size_t law, const ContactList& list, std::size_t k) const;
+    double dashpotBetween
+    (
+        std::size_t law, const ContactList& list, std::size_t k,
+        const ContactEnergy& before, const ContactEnergy& after, double h
+    ) const;
     template<class Moving> double kinetic(const std::vector<Moving>& moving) const;
     void openLedger(double h, EnergyLedger& ledger);
     void closeLedger(double h, EnergyLedger& ledger);

@@ -482,9 +482,11 @@ public:
         for (int a = 0; a < nH; ++a) h[a] = list.history[std::size_t(a)][k];
 
         ContactEnergy e;
+        e.overlap = overlap;
+        e.closing = vn;
         e.normal = Normal::energy(c, overlap, h);
         const NormalResponse<double> normal = Normal::template evaluate<double>(c, overlap, h);
-        e.dashpots = normal.damping*vn*vn;
+        e.normalDashpot = normal.damping*vn*vn;
         if constexpr (spin)
         {
             if constexpr (Normal::atDistance)

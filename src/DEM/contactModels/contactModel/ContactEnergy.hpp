@@ -27,9 +27,12 @@ struct SpringEnergy
 
 struct ContactEnergy
 {
+    double overlap;             // [m]
+    double closing;             // its rate [m/s]
     NormalEnergy normal;
     SpringEnergy springs[3];    // sliding, rolling, twisting
-    double dashpots = 0;        // power [W]
+    double normalDashpot;       // power [W]
+    double dashpots = 0;        // power of the other parts [W]
 
     double inSprings() const
     {
