@@ -110,7 +110,7 @@ struct vanDerWaals
     }
 
     //- The attraction falls off with the slope 2 F_C/z0, and a fast particle must not step
-    //  across the distance over which it changes
+    //  across the distance over which it changes, nor must it until the next look
     static ElasticBound bound
     (
         const Parameters& p, const ContactScale& s, double overlap, double speed,
@@ -119,7 +119,7 @@ struct vanDerWaals
     {
         ElasticBound b = DMT::bound(p.hertz, s, overlap, speed, history);
         const double z0 = p.cutOff*stretch(s.pair);
-        const double near = std::max(z0, std::fabs(overlap));
+        const double near = std::max(z0, 0.5*std::fabs(overlap));
         b.stiffness = std::max
         (
             b.stiffness + 2*pullOff(p, s.pair, s.R)/z0, s.m*speed*speed/(near*near)
