@@ -1244,8 +1244,10 @@ double IslandIntegrator::gradedStep(double h, double& end) const
                 const double t = std::fabs(inside/opening);
                 const double even = h*std::sqrt(t/tau);
                 const bool nears = inside*opening > 0;
-                if (!nears) graded = std::min(graded, even + first);
-                else if (t > first) graded = std::min(graded, even - first);
+                graded = std::min
+                (
+                    graded, !nears ? even + first : t > first ? even - first : t + first
+                );
             }
         }
     }
