@@ -329,7 +329,11 @@ Outcome run(const Case& c, Partner partner)
         const double scale =
             (mass(r1) + mass(rj))*1e-16*(system.particle(0).v.norm()*mass(r1)
           + system.particle(1).v.norm()*mass(rj))/(mass(r1) + mass(rj))
-          + 1e-16*(momentum0.norm() + std::sqrt(f.m*(f.m*speed*speed + 2*adhesion)) + pulled*period);
+          + 1e-16
+           *(
+                momentum0.norm() + std::sqrt(f.m*(f.m*speed*speed + 2*adhesion))
+              + pulled*period
+            );
         const double allowed = 10*double(report.contactSteps + 100)*scale;
         EXPECT_LE((momentum() - momentum0).norm(), allowed) << text;
     }
