@@ -55,6 +55,7 @@ struct ContactList
     }
 
     std::size_t size() const { return i.size(); }
+    bool isWall() const { return wall_; }
 
     void clear()
     {

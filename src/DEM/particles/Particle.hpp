@@ -18,6 +18,12 @@ struct Particle
     Vec3 x;                 // centre [m]
     Vec3 v = Vec3::Zero();      // [m/s]
     Vec3 omega = Vec3::Zero();  // spin [rad/s]
+
+    //- Of translation and spin [J]
+    double kineticEnergy() const
+    {
+        return 0.5*mass*(v.squaredNorm() + 0.4*radius*radius*omega.squaredNorm());
+    }
 };
 
 }

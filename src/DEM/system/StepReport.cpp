@@ -24,6 +24,7 @@ void StepReport::add(const StepReport& o)
         std::max(maxOverlapOverDiameter, o.maxOverlapOverDiameter);
     minStepsPerContact = std::min(minStepsPerContact, o.minStepsPerContact);
     energyRemovedByRest += o.energyRemovedByRest;
+    energy.add(o.energy);
     secondsSearch += o.secondsSearch;
     secondsContact += o.secondsContact;
     secondsFlight += o.secondsFlight;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "system/EnergyLedger.hpp"
+
 #include <cstdint>
 
 namespace dem
@@ -24,6 +26,7 @@ struct StepReport
     double maxOverlapOverDiameter = 0;  // largest delta/(2 min(r_i, r_j)) met
     double minStepsPerContact = 1e300;  // period over step of the stiffest contact met
     double energyRemovedByRest = 0;     // [J]
+    EnergyLedger energy;                // timeIntegration { energyLedger on; } only
     double secondsSearch = 0;           // broad phase, ghosts, islands
     double secondsContact = 0;          // integration of islands
     double secondsFlight = 0;           // closed-form flight

@@ -815,7 +815,14 @@ void System::Implementation::move
 
     for (const std::size_t i : flights)
     {
+        const double before = time.energyLedger ? particles[i].kineticEnergy() : 0;
         impulse[i] = fly(particles[i], gas[i], dt);
+        if (time.energyLedger)
+        {
+            const double work = particles[i].kineticEnergy() - before;
+            report.energy.kinetic += work;
+            report.energy.gas += work;
+        }
         rest[i].inContact = false;
         ++report.freeFlights;
     }

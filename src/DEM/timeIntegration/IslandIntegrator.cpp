@@ -24,6 +24,9 @@ constexpr int stepsBetweenLooksDense = 32;
 // worth a step of its own
 constexpr std::size_t denseIsland = 256;
 
+// Time over which steps grow to their full length, over the period of the contact
+constexpr double gradedShare = 1.0/16;
+
 // Rest criterion (see the header)
 constexpr double quietEnergy = 0.1;
 constexpr double quietForce = 0.1;
@@ -201,6 +204,8 @@ void IslandIntegrator::begin
     double constants[maxConstants];
     contactConstants(i, j, mj, constants);
     e.neck = law.reach(pairInLaw, pair, e.R);
+    // dashpots begin with the spot, which a neck keeps to its end
+    e.edge = law.touchDistance(pairInLaw, pair) > 0 ? 0 : -e.neck;
     e.pullOff = law.pullOff(pairInLaw, pair, e.R);
     e.a0 = law.equilibriumRadius(pairInLaw, pair, e.R);
     e.yield = law.rollingYield(constants);
@@ -344,6 +349,13 @@ bool IslandIntegrator::endMarked(StepReport& report)
             for (std::size_t k = list.size(); k-- > 0;)
             {
                 if (!list.ended[k]) continue;
+                if (time_.energyLedger)
+                {
+                    const ContactEnergy e = energyOf(l, list, k);
+                    report.energy.normal -= e.normal.stored;
+                    report.energy.springs -= e.inSprings();
+                    report.energy.released += e.normal.stored + e.inSprings();
+                }
                 if (wall)
                 {
                     law.evaluateWalls(list, k, k + 1, bodies_.data(), loads_.data(), {0, -0.5*ahead_, 0}, -1);
@@ -436,6 +448,15 @@ bool IslandIntegrator::form(StepReport& report)
                 lists_[l].walls, before[l].walls, lists_[l].walls.size(),
                 bodies_.data(), loads_.data(), {0, 0, 0.5*ahead_}, 1
             );
+            if (!time_.energyLedger) continue;
+            for (std::size_t k = before[l].pairs; k < lists_[l].pairs.size(); ++k)
+            {
+                report.energy.normal += energyOf(l, lists_[l].pairs, k).normal.stored;
+            }
+            for (std::size_t k = before[l].walls; k < lists_[l].walls.size(); ++k)
+            {
+                report.energy.normal += energyOf(l, lists_[l].walls, k).normal.stored;
+            }
         }
     }
     return any;
@@ -870,18 +891,55 @@ double IslandIntegrator::drift(double h)
 }
 
 
+//- Add half of the coming change of the loads to the predicted velocities
+void IslandIntegrator::foresee(double h)
+{
+    if (previousStep_ > 0)
+    {
+        const double share = 0.5*h/previousStep_;
+        for (const int i : awake_)
+        {
+            const std::size_t k = std::size_t(i);
+            Body& b = bodies_[k];
+            const double push = share*0.5*h*b.invM;
+            const double turn = share*0.5*h*b.invI;
+            for (int d = 0; d < 3; ++d)
+            {
+                b.v[d] += push*(lastLoads_[k].f[d] - previousLoads_[k].f[d]);
+                b.w[d] += turn*(lastLoads_[k].t[d] - previousLoads_[k].t[d]);
+            }
+        }
+    }
+    previousLoads_.swap(lastLoads_);
+    previousStep_ = h;
+}
+
+
 //- One step of h but for its second kick, after which one of `next` is expected
 void IslandIntegrator::step(double h, double next, StepReport& report)
 {
     prepareSprings(h);
+    if (time_.energyLedger)
+    {
+        complete();
+        openLedger(h, report.energy);
+    }
+    if (exactEvents_) lastLoads_ = loads_;
     const double fastest = vacuum_ ? drift<false>(h) : drift<true>(h);
+    if (time_.energyLedger) report.energy.gas += kinetic(motion_);
     fastest_ = std::sqrt(fastest);
     moved_ += fastest_*h;
     if (2*moved_ > 0.5*skin_) refreshNear();
     else updateWalls();
+    if (exactEvents_) foresee(h);
     ended_ = evaluate({h, 0.5*h, 0.5*next}, report);
     ahead_ = next;
     owed_ = h;
+    if (time_.energyLedger)
+    {
+        complete();
+        closeLedger(h, report.energy);
+    }
 }
 
 
@@ -911,6 +969,130 @@ double IslandIntegrator::inertia(std::size_t i) const
     return 0.4*p.mass*p.radius*p.radius;
 }
 
+
+// * * * * * * * * * * * * * * * * Energy ledger  * * * * * * * * * * * * * * * * * * * //
+
+ContactEnergy IslandIntegrator::energyOf
+(
+    std::size_t law, const ContactList& list, std::size_t k
+) const
+{
+    return materials_.laws()[law]->energy(list, k, bodies_.data(), 0.5*ahead_, periodic_);
+}
+
+
+//- Power of the normal dashpot in the middle of a step [W]: it is too curved where it begins
+//  for the trapezoidal rule. Of an oscillation w the path over h gives a velocity that is
+//  too large by (w h)^2/8, the mean of the velocities one that is as much too small.
+double IslandIntegrator::dashpotBetween
+(
+    std::size_t law, const ContactList& list, std::size_t k,
+    const ContactEnergy& before, const ContactEnergy& after, double h
+) const
+{
+    double c[maxConstants], history[maxHistory];
+    for (std::size_t a = 0; a < list.constants.size(); ++a) c[a] = list.constants[a][k];
+    for (std::size_t a = 0; a < list.history.size(); ++a) history[a] = list.history[a][k];
+    const double overlap =
+        0.5*(before.overlap + after.overlap) + h/8*(before.closing - after.closing);
+    const double closing =
+        0.5*(after.overlap - before.overlap)/h + 0.25*(before.closing + after.closing);
+    return
+        materials_.laws()[law]->normalResponse(c, overlap, history).damping
+       *closing*closing;
+}
+
+
+//- Of those awake [J], at the velocities `v` and `w` of a Body or Motion
+template<class Moving>
+double IslandIntegrator::kinetic(const std::vector<Moving>& moving) const
+{
+    double sum = 0;
+    for (const int i : awake_)
+    {
+        const std::size_t k = std::size_t(i);
+        const Moving& m = moving[k];
+        sum += 0.5*(mass(k)*vec(m.v).squaredNorm() + inertia(k)*vec(m.w).squaredNorm());
+    }
+    return sum;
+}
+
+
+//- Take down the energies before a step of h
+void IslandIntegrator::openLedger(double h, EnergyLedger& ledger)
+{
+    ledger.kinetic -= kinetic(bodies_);
+    kicked_.resize(particles_.size());
+    for (const int i : awake_)
+    {
+        const std::size_t k = std::size_t(i);
+        const Body& b = bodies_[k];
+        for (int d = 0; d < 3; ++d)
+        {
+            kicked_[k].v[d] = b.v[d] + 0.5*h*b.invM*loads_[k].f[d];
+            kicked_[k].w[d] = b.w[d] + 0.5*h*b.invI*loads_[k].t[d];
+        }
+    }
+    ledger.gas -= kinetic(kicked_);
+
+    energies_.resize(entries_.size());
+    for (std::size_t l = 0; l < lists_.size(); ++l)
+    {
+        for (const ContactList* list : {&lists_[l].pairs, &lists_[l].walls})
+        {
+            for (std::size_t k = 0; k < list->size(); ++k)
+            {
+                energies_[std::size_t(list->tag[k])] = energyOf(l, *list, k);
+            }
+        }
+    }
+}
+
+
+//- Add up what the step of h has done. Gas and body forces work in the flight only.
+void IslandIntegrator::closeLedger(double h, EnergyLedger& ledger)
+{
+    ledger.kinetic += kinetic(bodies_);
+    for (std::size_t l = 0; l < lists_.size(); ++l)
+    {
+        const double sign = materials_.laws()[l]->elastic() ? 1 : -1;
+        for (const ContactList* list : {&lists_[l].pairs, &lists_[l].walls})
+        {
+            for (std::size_t k = 0; k < list->size(); ++k)
+            {
+                const ContactEnergy& before = energies_[std::size_t(list->tag[k])];
+                const ContactEnergy after = energyOf(l, *list, k);
+                ledger.normal += after.normal.stored - before.normal.stored;
+                ledger.plastic += after.normal.plastic - before.normal.plastic;
+                ledger.dashpots +=
+                    0.5*h*(before.dashpots + after.dashpots)
+                  + h/6
+                   *(
+                        before.normalDashpot + after.normalDashpot
+                      + 4*dashpotBetween(l, *list, k, before, after, h)
+                    );
+                for (int s = 0; s < 3; ++s)
+                {
+                    const SpringEnergy& a = before.springs[s];
+                    const SpringEnergy& b = after.springs[s];
+                    const double change = b.stored() - a.stored();
+                    const double gain =
+                        0.25*sign*(a.square + b.square)*(b.stiffness - a.stiffness)
+                      + 0.5*h*(a.gain + b.gain);
+                    ledger.springs += change;
+                    ledger.springGain += gain;
+                    if (a.yields || b.yields)
+                    {
+                        ledger.yield += 0.5*h*(a.input + b.input) + gain - change;
+                    }
+                }
+            }
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * * Stepping * * * * * * * * * * * * * * * * * * * * * //
 
 //- Let the springs be ahead for a coming step h; loads are unchanged
 void IslandIntegrator::prepareSprings(double h)
@@ -1115,10 +1297,14 @@ double IslandIntegrator::timeToTouch(bool contact) const
 }
 
 
-//- Time after which a contact ends, if within h; else 1e300
-double IslandIntegrator::timeToEnd(double h) const
+//- A step of at most h, graded as the header says; end: time after which a contact ends, if
+//  within that step, else 1e300
+double IslandIntegrator::gradedStep(double h, double& end) const
 {
-    double shortest = 1e300;
+    const double tau = gradedShare*time_.stepsPerContact*h;
+    const double first = 0.25*h*h/tau;
+    double graded = h;
+    end = 1e300;
     for (const LawLists& l : lists_)
     {
         for (const bool wall : {false, true})
@@ -1127,9 +1313,10 @@ double IslandIntegrator::timeToEnd(double h) const
             for (std::size_t k = 0; k < list.size(); ++k)
             {
                 const Entry& e = entries_[std::size_t(list.tag[k])];
-                const double left = list.overlap[k] + e.neck;
-                // most contacts are nowhere near their end
-                if (left > fastest_*2*h) continue;
+                const double left = std::max(list.overlap[k] + e.neck, 0.0);
+                const double inside = list.overlap[k] - e.edge;
+                // most contacts are nowhere near
+                if (std::min(left, std::fabs(inside)) > fastest_*2*std::max(h, tau)) continue;
                 const Body& bi = bodies_[std::size_t(list.i[k])];
                 double opening;
                 if (wall)
@@ -1143,11 +1330,20 @@ double IslandIntegrator::timeToEnd(double h) const
                     const Vec3 n = periodic_.nearest(vec(bj.x) - vec(bi.x)).normalized();
                     opening = (vec(bj.v) - vec(bi.v)).dot(n);
                 }
-                if (opening > 0) shortest = std::min(shortest, left/opening);
+                if (opening == 0) continue;
+                if (opening > 0) end = std::min(end, left/opening);
+                const double t = std::fabs(inside/opening);
+                const double even = h*std::sqrt(t/tau);
+                const bool nears = inside*opening > 0;
+                graded = std::min
+                (
+                    graded, !nears ? even + first : t > first ? even - first : t + first
+                );
             }
         }
     }
-    return shortest < h ? shortest : 1e300;
+    if (end >= graded) end = 1e300;
+    return graded;
 }
 
 
@@ -1265,8 +1461,14 @@ void IslandIntegrator::checkRest(double elapsed, StepReport& report)
             continue;
         }
         Body& b = bodies_[k];
-        report.energyRemovedByRest +=
+        const double energy =
             0.5*(mass(k)*vec(b.v).squaredNorm() + inertia(k)*vec(b.w).squaredNorm());
+        report.energyRemovedByRest += energy;
+        if (time_.energyLedger)
+        {
+            report.energy.kinetic -= energy;
+            report.energy.rest += energy;
+        }
         for (int d = 0; d < 3; ++d) b.v[d] = b.w[d] = 0;
         motion_[k] = {};
         RestState& rest = rest_[k];
@@ -1453,7 +1655,13 @@ void IslandIntegrator::freezeFlying(StepReport& report)
             if (rest_[std::size_t(i)].quietTime < window_) return;
             lowest = std::min(lowest, particles_[std::size_t(i)].id);
         }
-        report.energyRemovedByRest += body.stiffen();
+        const double energy = body.stiffen();
+        report.energyRemovedByRest += energy;
+        if (time_.energyLedger)
+        {
+            report.energy.kinetic -= energy;
+            report.energy.rest += energy;
+        }
         for (std::size_t m = 0; m < members.size(); ++m)
         {
             const std::size_t k = std::size_t(members[m]);
@@ -1584,6 +1792,9 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
     exactEvents_ = candidates_.size() < denseIsland;
     const double stiffest = time_.islands ? 0 : stiffestStep(speedBound);
     const int lookInterval = exactEvents_ ? stepsBetweenLooks : stepsBetweenLooksDense;
+    // an event is passed by at most this part of a step: its error is of second order too
+    const double overshoot = 0.05/time_.stepsPerContact;
+    previousStep_ = 0;
     double t = 0, h = 0, sinceLook = 0;
     int looked = lookInterval, shortened = 0;
     double nearTouch = 0;
@@ -1621,12 +1832,14 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
             now = left < 1.5*h ? left : h;
             if (exactEvents_ && shortened < 3)
             {
+                double end;
+                now = std::min(now, gradedStep(h, end));
                 if (2*(moved_ + fastest_*now) > 0.5*skin_) refreshNear();
-                const double event = std::min(timeToTouch(true), timeToEnd(now));
+                const double event = std::min(timeToTouch(true), end);
                 if (event < now)
                 {
                     // a little beyond, so that it has happened
-                    now = std::min(now, std::max(event*(1 + 1e-9), 1e-3*h));
+                    now = std::min(now, std::max(event*(1 + 1e-9), overshoot*h));
                     ++shortened;
                     looked = lookInterval;
                 }
@@ -1639,11 +1852,11 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
         }
         else
         {
-            // Near a touch go on by thousandths of the contact step that would follow
+            // Near a touch go on by small parts of the contact step that would follow
             now = timeToTouch(false);
             if (now < 1e-6*smallest_/std::max({fastest_, speedBound, 1e-300}))
             {
-                if (nearTouch == 0) nearTouch = 1e-3*stiffestStep(speedBound);
+                if (nearTouch == 0) nearTouch = overshoot*stiffestStep(speedBound);
                 now = std::max(now, nearTouch);
             }
             now = std::min(now, left);
@@ -1662,7 +1875,11 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
         wakeLoaded(report);
         bool event = endMarked(report);
         event = form(report) || event;
-        if (event && exactEvents_) looked = lookInterval;
+        if (event)
+        {
+            previousStep_ = 0;
+            if (exactEvents_) looked = lookInterval;
+        }
         if (looked >= lookInterval && sinceLook > 0)
         {
             complete();

@@ -7,10 +7,17 @@
 // now (contactPeriod.hpp). One contact step, v_n -> v_n+1:
 //     v_h = v_n + (h/2) F_n/m              kick by contact forces
 //     x, v_h moved by the exact flight     drag, gravity
-//     F_n+1 from x_n+1 and the predictor v_h + (h/2) F_n/m
+//     F_n+1 from x_n+1 and the predictor v_h + (h/2) F*/m,  F* = F_n
 //     v_n+1 = v_h + (h/2) F_n+1/m
-// which is of second order, damping included. Small islands end a step exactly where a
-// contact begins or ends, because the force jumps there.
+// which is of second order, damping included, where the force is smooth. Small islands keep
+// that order where it is not, and take
+//   - F* = F_n + (F_n - F_n-1)/2: with F_n dashpots take too much, with the whole
+//     extrapolation as much too little;
+//   - steps that end where a contact begins or ends, because the force jumps there;
+//   - steps graded as h (t/tau)^(1/2), tau = T/16, where a force begins or ends with an
+//     infinite slope (dashpots with overlap^(1/4), the end of a neck): t is the time since
+//     overlap 0 or until the end, by the speed of now. The first of them is h^2/(4 tau).
+// Proof: tests/verification/DEM/{convergence,pslRebound}.cpp
 //
 // Rest: a particle falls asleep, and is then a fixed boundary for those awake, when for a
 // whole window (3 normal periods) it has had
@@ -118,6 +125,7 @@ private:
         int candidate;      // pairs: index into candidates_
         int materialJ;
         double neck;        // the contact ends at overlap -neck [m]
+        double edge;        // overlap about which steps are graded [m]
         double pullOff;     // [N]
         RollingYield yield;
         double a0, R, m;
@@ -166,6 +174,18 @@ private:
 
     // Stepping
     void step(double h, double next, StepReport& report);
+    void foresee(double h);
+
+    // Energy ledger
+    ContactEnergy energyOf(std::size_t law, const ContactList& list, std::size_t k) const;
+    double dashpotBetween
+    (
+        std::size_t law, const ContactList& list, std::size_t k,
+        const ContactEnergy& before, const ContactEnergy& after, double h
+    ) const;
+    template<class Moving> double kinetic(const std::vector<Moving>& moving) const;
+    void openLedger(double h, EnergyLedger& ledger);
+    void closeLedger(double h, EnergyLedger& ledger);
     void prepareSprings(double h);
     template<bool gas> double drift(double h);
     void complete();
@@ -179,7 +199,7 @@ private:
     double contactStep(double time, StepReport& report);
     double stiffestStep(double speed) const;
     double timeToTouch(bool contact) const;
-    double timeToEnd(double h) const;
+    double gradedStep(double h, double& end) const;
     void checkRest(double elapsed, StepReport& report);
     void judge
     (
@@ -214,11 +234,14 @@ private:
     std::vector<Body> bodies_;
     std::vector<Motion> motion_;
     std::vector<Load> loads_;
+    std::vector<Load> previousLoads_, lastLoads_;   // small islands only
+    std::vector<Motion> kicked_;            // for the ledger
     std::vector<Flight> flight_;
     std::vector<int> awake_;
     std::vector<LawLists> lists_;           // by law
     std::vector<Entry> entries_;
     std::vector<int> freeEntries_;
+    std::vector<ContactEnergy> energies_;   // by tag, before the step
     std::vector<int> near_;                 // candidates within the skin
     std::vector<std::vector<int>> nearSurfaces_;
     std::vector<int> nearWalls_;            // awake, with near surfaces
@@ -241,6 +264,7 @@ private:
     double owed_ = 0;           // [s] step of which the second kick is still to come
     bool ended_ = false;        // evaluate() has found contacts that end
     double contactStep_ = 0;    // [s] as it is now, 0 = not known
+    double previousStep_ = 0;   // [s] from previousLoads_ to loads_; 0 = there are none
     double flightStep_ = -1;    // h that flight_ is made for
     double skin_ = 0;           // [m] how far beyond touch near_ looks
     double moved_ = 0;          // [m] path of the fastest since refreshNear()

@@ -15,6 +15,9 @@ struct TimeSettings
     //- false: everything takes the contact step of the stiffest possible contact, as a
     //  conventional DEM code does (exact, slow)
     bool islands = true;
+
+    //- Whether StepReport::energy is kept; costs about as much as the contact steps
+    bool energyLedger = false;
 };
 
 }

@@ -706,6 +706,30 @@ Foam::scalar Foam::dustCloud::marginLimit() const
 }
 
 
+bool Foam::dustCloud::keepsEnergyLedger() const
+{
+    return dem_->properties.time().energyLedger;
+}
+
+
+dem::EnergyLedger Foam::dustCloud::energyLedger() const
+{
+    dem::EnergyLedger e = dem_->totals.energy;
+    for
+    (
+        double* part :
+        {
+            &e.kinetic, &e.normal, &e.springs, &e.released, &e.dashpots,
+            &e.yield, &e.plastic, &e.rest, &e.gas, &e.springGain
+        }
+    )
+    {
+        *part = returnReduce(scalar(*part), sumOp<scalar>());
+    }
+    return e;
+}
+
+
 Foam::tmp<Foam::volScalarField> Foam::dustCloud::voidFraction() const
 {
     const scalar alphaMax =

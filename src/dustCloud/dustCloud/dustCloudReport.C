@@ -59,6 +59,19 @@ static std::string duration(const scalar seconds)
 }
 
 
+static std::string energyText(const dem::EnergyLedger& e)
+{
+    return format
+    (
+        "    energy [J]: kinetic %.3g, stored by normal forces %.3g and springs "
+        "%.3g, released %.3g, dashpots %.3g, yield %.3g, plastic %.3g, rest "
+        "%.3g; work of the gas %.3g, spring gain %.3g; residual %.2g",
+        e.kinetic, e.normal, e.springs, e.released, e.dashpots, e.yield,
+        e.plastic, e.rest, e.gas, e.springGain, e.residual()
+    );
+}
+
+
 //- Value below which a share of the sorted values lies
 static scalar percentile(const std::vector<double>& sorted, const scalar share)
 {
@@ -596,6 +609,10 @@ void Foam::dustCloud::printProgress()
         Info<< format(", smallest margin %.3g", d.smallestMargin).c_str();
     }
     Info<< endl;
+    if (keepsEnergyLedger() && time.writeTime())
+    {
+        Info<< energyText(energyLedger()).c_str() << endl;
+    }
 }
 
 
@@ -763,6 +780,10 @@ void Foam::dustCloud::summarise()
           : "-",
             totals.energyRemovedByRest
         ).c_str();
+    if (keepsEnergyLedger())
+    {
+        Info<< energyText(energyLedger()).c_str() << nl;
+    }
     if (offMesh)
     {
         Info<< "    centre outside the mesh after a particle step: "

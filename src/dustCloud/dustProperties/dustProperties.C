@@ -457,11 +457,16 @@ void Foam::dustProperties::readTimeIntegration()
 {
     const dictionary& dict = dict_.subOrEmptyDict("timeIntegration");
 
-    checkKeywords(dict, {"stepsPerContact", "restTolerance", "islands"});
+    checkKeywords
+    (
+        dict,
+        {"stepsPerContact", "restTolerance", "islands", "energyLedger"}
+    );
 
     dict.readIfPresent("stepsPerContact", time_.stepsPerContact);
     dict.readIfPresent("restTolerance", time_.restTolerance);
     time_.islands = dict.lookupOrDefault<Switch>("islands", true);
+    time_.energyLedger = dict.lookupOrDefault<Switch>("energyLedger", false);
 
     if (time_.stepsPerContact < 1)
     {

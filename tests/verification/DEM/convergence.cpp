@@ -3,12 +3,10 @@
 // Order of convergence in the contact step, 10 to 1000 steps per contact, against an
 // independent integration of high order; error and run time as a table (convergence.csv).
 //
-// The scheme is of second order where the force is smooth, which it is not everywhere:
-//   - the dashpot of all laws but JKR is proportional to overlap^(1/4) and begins with an
-//     infinite slope: order 5/4 with damping;
-//   - the slope of the force is infinite at the end of JKR's neck: order 3/2;
-//   - the force jumps by F_C at touch and at the end, which are met to 1e-3 of a step: a
-//     first-order error with a coefficient of 1e-3.
+// The scheme is of second order for every law, though the forces are not smooth: the dashpot
+// of all laws but JKR, proportional to overlap^(1/4), and the end of JKR's neck have an
+// infinite slope, and the force jumps by F_C at touch and at the end. With equal steps these
+// give the orders 5/4, 3/2 and 1; the integrator grades its steps there (see its header).
 #include "impact.hpp"
 
 #include <chrono>
@@ -125,29 +123,20 @@ TEST(convergence, orderOfEveryLaw)
                     errorT.back(), seconds.back()/seconds[0]
                 );
             }
-            // from 10 steps on, and from 200 on
-            const double first = order(errorN, 0, 3), last = order(errorN, 4, 6);
+            // from 50 steps on, and from 200 on
+            const double first = order(errorN, 2, 6), last = order(errorN, 4, 6);
             std::printf("# %s %g: order %.2f, at last %.2f", normal, e, first, last);
-            if (law.normal == "Hertz" && e == 1) EXPECT_GT(last, 2);
-            else if (law.normal == "JKR")
-            {
-                EXPECT_GT(order(errorN, 0, 6), 1.4);
-                EXPECT_LT(errorN[6], 1e-5);
-            }
-            else if (e == 1)
-            {
-                EXPECT_GT(first, 1.9);
-                EXPECT_LT(errorN[6], 2e-3/1000);
-            }
-            else EXPECT_GT(last, 1.15);
-            EXPECT_LT(errorN[2], 5e-3);     // at 50 steps, where users run
+            EXPECT_GT(first, 1.9);
+            EXPECT_GT(last, 1.9);
+            EXPECT_LT(errorN[2], 3e-4);     // at 50 steps, where users run
+            EXPECT_LT(errorN[6], 1e-6);
 
             if (law.friction > 0)
             {
                 const double tangential = order(errorT, 0, 6);
                 std::printf(", tangential %.2f", tangential);
-                EXPECT_GT(tangential, law.normal == "JKR" || e == 1 ? 1.7 : 1.25);
-                EXPECT_LT(errorT[2], 2e-3);
+                EXPECT_GT(tangential, 1.9);
+                EXPECT_LT(errorT[2], 4e-4);
             }
             std::printf("\n");
         }

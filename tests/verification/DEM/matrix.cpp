@@ -2,7 +2,9 @@
 //
 // Every combination of parts that the library allows, with sizes, stiffness, surface energy
 // and speeds over many decades: approach, slide, leave. Finite; momentum kept to round-off;
-// kinetic energy never grows; a wall is a sphere of 1e6 radii.
+// the energy ledger closes to 1e-3 of the input with 125 steps per contact or more, and to
+// (125/steps)^2 of that with fewer; kinetic energy grows by no more than the springs gave; a
+// wall is a sphere of 1e6 radii.
 #include "clouds.hpp"
 
 #include <array>
@@ -145,7 +147,9 @@ struct Outcome
     bool skipped = false;
     bool rebounded = false;     // left by itself
     double energyRatio = 0;     // kinetic energy after over before, if it rebounded
-    double gain = 0;            // energy from nowhere, over all that was exchanged
+    double gain = 0;            // kinetic energy that nobody gave, over all exchanged
+    double residual = 0;        // of the energy ledger, over all that was exchanged
+    double allowed = 0;         // of both
     double adhesive = 0;        // adhesion energy over kinetic energy along the normal
     Vec3 v, omega;              // of the first sphere
     double overlap = 0;         // largest, over the smaller diameter
@@ -203,8 +207,15 @@ Outcome run(const Case& c, Partner partner)
     const dem::ContactFigures f =
         table.figures(0, 0, r1, rj, mass(r1), rj > 0 ? mass(rj) : 0, speed);
     const double smaller = rj > 0 ? std::min(r1, rj) : r1;
-    // contact laws are for small overlaps
-    if (f.impactOverlap + f.delta0 > 0.1*smaller)
+    double period = f.impactTime;
+    if (f.a0 > 0)
+    {
+        period += 2*formula::pi*std::sqrt(f.m*f.a0*f.a0/(3.6*std::max(f.pullOff, 1e-300)*f.R));
+    }
+    // contact laws are for small overlaps; and what creeps through the range of an
+    // attraction does so for ever
+    const double range = table.touchDistance(0, 0);
+    if (f.impactOverlap + f.delta0 > 0.1*smaller || range > 100*period*speed)
     {
         result.skipped = true;
         return result;
@@ -213,6 +224,7 @@ Outcome run(const Case& c, Partner partner)
     dem::TimeSettings time;
     time.stepsPerContact = steps;
     time.restTolerance = 0;
+    time.energyLedger = true;
     dem::System system(table, time);
     if (partner == wall)
     {
@@ -224,7 +236,7 @@ Outcome run(const Case& c, Partner partner)
     const Vec3 slide = (slideWay - slideWay.dot(n)*n).normalized();
     const Vec3 v = speed*(n + tangential*slide);
     // just apart: the first contact is made by the flight, along n
-    const double gap = 1e-3*smaller;
+    const double gap = std::max(1e-3*smaller, 1.01*range);
     system.add
     (
         {1, 0, r1, mass(r1), Vec3(0, 0, r1) - gap/speed*v, v, spin*speed/r1*spinWay1}
@@ -265,23 +277,28 @@ Outcome run(const Case& c, Partner partner)
     const double energy0 = energy();
 
     // Approach and slide
-    double period = f.impactTime;
-    if (f.a0 > 0)
-    {
-        period += 2*formula::pi*std::sqrt(f.m*f.a0*f.a0/(3.6*std::max(f.pullOff, 1e-300)*f.R));
-    }
     dem::StepReport report;
     report.add(system.advance(gap/speed + 2.5*period));
     EXPECT_EQ(report.touches >= 1, true) << text;
     result.rebounded = system.contacts().empty();
     result.overlap = report.maxOverlapOverDiameter;
+    // van der Waals: twice the cut-off
+    const double adhesion = f.pullOff*(f.delta0 + f.deltaC + 1e-9);
+    const auto checkEnergy = [&]
+    {
+        const dem::EnergyLedger& e = report.energy;
+        const double exchanged =
+            energy0 + adhesion + std::fabs(e.normal) + std::fabs(e.gas) + std::fabs(e.springGain);
+        result.allowed = 1e-3*std::max(1.0, std::pow(125/steps, 2));
+        result.residual = std::max(result.residual, std::fabs(e.residual())/exchanged);
+        EXPECT_TRUE(scene::near(e.kinetic, energy() - energy0, 1e-9*exchanged)) << text;
+        return exchanged;
+    };
+    const double exchanged = checkEnergy();
     if (result.rebounded)
     {
         result.energyRatio = energy()/energy0;
-        // over all that is exchanged, adhesion (of van der Waals, over twice the cut-off)
-        // included
-        const double adhesion = f.pullOff*(f.delta0 + f.deltaC + 1e-9);
-        result.gain = (energy() - energy0)/(energy0 + adhesion);
+        result.gain = (energy() - energy0 - report.energy.springGain)/exchanged;
         result.adhesive = adhesion/(0.5*f.m*speed*speed);
     }
 
@@ -300,6 +317,7 @@ Outcome run(const Case& c, Partner partner)
         report.add(system.advance(period));
     }
     EXPECT_TRUE(system.contacts().empty()) << "holds on: " << text;
+    checkEnergy();
     for (std::size_t i = 0; i < system.size(); ++i)
     {
         const dem::Particle& p = system.particle(i);
@@ -311,7 +329,11 @@ Outcome run(const Case& c, Partner partner)
         const double scale =
             (mass(r1) + mass(rj))*1e-16*(system.particle(0).v.norm()*mass(r1)
           + system.particle(1).v.norm()*mass(rj))/(mass(r1) + mass(rj))
-          + 1e-16*(momentum0.norm() + f.m*speed + pulled*period);
+          + 1e-16
+           *(
+                momentum0.norm() + std::sqrt(f.m*(f.m*speed*speed + 2*adhesion))
+              + pulled*period
+            );
         const double allowed = 10*double(report.contactSteps + 100)*scale;
         EXPECT_LE((momentum() - momentum0).norm(), allowed) << text;
     }
@@ -355,7 +377,7 @@ TEST(matrix, combinationsThatAreAllowed)
 TEST(matrix, approachSlideLeave)
 {
     int ran = 0, skipped = 0, rebounds = 0;
-    double worst = 0;
+    double worst = 0, open = 0;
     unsigned seed = 1;
     for (const auto& parts : combinations())
     {
@@ -370,22 +392,22 @@ TEST(matrix, approachSlideLeave)
             }
             ++k;
             ++ran;
+            open = std::max(open, o.residual/o.allowed);
+            EXPECT_LE(o.residual, o.allowed) << o.text;
             if (o.rebounded)
             {
                 ++rebounds;
                 worst = std::max(worst, o.gain);
-                // the error of the steps; a sliding spring 8 G a xi whose radius grows while
-                // it is loaded is not conservative, by up to 5 % (nu = 0.2, no damping)
-                const bool slides = parts[1].model != "none";
-                EXPECT_LE(o.gain, slides ? 0.06 : 0.01) << o.energyRatio << " " << o.text;
+                EXPECT_LE(o.gain, o.allowed) << o.energyRatio << " " << o.text;
             }
             if (HasFatalFailure()) return;
         }
     }
     std::printf
     (
-        "%d cases (%d rebounds), %d with too large overlaps left out, largest gain of energy %.2e\n",
-        ran, rebounds, skipped, worst
+        "%d cases (%d rebounds), %d with too large overlaps or slow left out, largest gain of energy %.2e, "
+        "largest residual of the ledger %.2f of what is allowed\n",
+        ran, rebounds, skipped, worst, open
     );
     EXPECT_GT(rebounds, ran/4);
 }

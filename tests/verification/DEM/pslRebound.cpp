@@ -61,9 +61,9 @@ TEST(pslRebound, effectiveRestitution)
         const scene::Impact i = scene::impact(law, r, p.v, 50);
         ASSERT_TRUE(i.left);
         std::printf("%g,%.6f,%.6f,%d\n", p.v, i.restitution, exact, int(i.steps));
-        EXPECT_TRUE(close(i.restitution, exact, 2e-3));
+        EXPECT_TRUE(close(i.restitution, exact, 5e-4));
         const double fine = scene::impact(law, r, p.v, 400).restitution;
-        EXPECT_TRUE(close(fine, exact, 4e-4));
+        EXPECT_TRUE(close(fine, exact, 1e-5));
     }
 }
 
@@ -74,8 +74,8 @@ TEST(pslRebound, contactTime)
     const formula::Collision exact =
         formula::collide("simplifiedJKR", law.contact(r, -1), 5, 0.86);
     EXPECT_TRUE(close(exact.time, 18.749e-9, 1e-4));
-    EXPECT_TRUE(close(scene::impact(law, r, 5, 50).time, exact.time, 2e-3));
-    EXPECT_TRUE(close(scene::impact(law, r, 5, 400).time, exact.time, 1e-4));
+    EXPECT_TRUE(close(scene::impact(law, r, 5, 50).time, exact.time, 1e-3));
+    EXPECT_TRUE(close(scene::impact(law, r, 5, 400).time, exact.time, 2e-5));
 }
 
 
@@ -86,8 +86,8 @@ TEST(pslRebound, stickingSpeed)
     EXPECT_TRUE(close(exact, 2.4005, 1e-4));
     const double coarse = sticking(law, 50, 2.4), fine = sticking(law, 400, 2.4);
     std::printf("sticking speed: 50 steps %.6f, 400 steps %.6f, exact %.6f m/s\n", coarse, fine, exact);
-    EXPECT_TRUE(close(coarse, exact, 1e-2));
-    EXPECT_TRUE(close(fine, exact, 1e-4));
+    EXPECT_TRUE(close(coarse, exact, 5e-4));
+    EXPECT_TRUE(close(fine, exact, 5e-6));
 }
 
 
@@ -173,7 +173,6 @@ TEST(pslRebound, stickingLimitOfSoftness)
         }
         const double c = std::exp(logLambda[0] - 2.5*logAd[0]);
         std::printf("c(%g) = %.5g\n", k.e, c);
-        // c grows with v_c^3: three times the sticking speed's tolerance
-        EXPECT_TRUE(close(c, k.c, 6e-3));
+        EXPECT_TRUE(close(c, k.c, 1e-3));   // as many digits as are quoted
     }
 }

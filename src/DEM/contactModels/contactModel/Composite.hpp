@@ -640,6 +640,139 @@ public:
         return Normal::template evaluate<double>(c, overlap, history);
     }
 
+    ContactEnergy energy
+    (
+        const ContactList& list, std::size_t k, const Body* bodies, double ahead,
+        const Periodic& periodic
+    ) const override
+    {
+        using V = V3<double>;
+        const auto vector = [](const double* a) { return V{a[0], a[1], a[2]}; };
+        const Body& bi = bodies[list.i[k]];
+        V n, v = vector(bi.v), wRel = vector(bi.w), arm = bi.r*wRel;
+        double overlap;
+        if (list.isWall())
+        {
+            n = {list.nx[k], list.ny[k], list.nz[k]};
+            overlap = list.overlap[k];
+        }
+        else
+        {
+            const Body& bj = bodies[list.j[k]];
+            const Vec3 d = periodic.nearest
+            (
+                Vec3(bj.x[0] - bi.x[0], bj.x[1] - bi.x[1], bj.x[2] - bi.x[2])
+            );
+            const double distance = d.norm();
+            n = (1/distance)*V{d[0], d[1], d[2]};
+            overlap = bi.r + bj.r - distance;
+            v = v - vector(bj.v);
+            wRel = wRel - vector(bj.w);
+            arm = arm + bj.r*vector(bj.w);
+        }
+        const double vn = dot(v, n);
+
+        double c[nC > 0 ? nC : 1], h[nH > 0 ? nH : 1];
+        for (int a = 0; a < nC; ++a) c[a] = list.constants[std::size_t(a)][k];
+        for (int a = 0; a < nH; ++a) h[a] = list.history[std::size_t(a)][k];
+
+        ContactEnergy e;
+        e.overlap = overlap;
+        e.closing = vn;
+        e.normal = Normal::energy(c, overlap, h);
+        const NormalResponse<double> normal = Normal::template evaluate<double>(c, overlap, h);
+        e.normalDashpot = normal.damping*vn*vn;
+        if constexpr (spin)
+        {
+            if constexpr (Normal::atDistance)
+            {
+                // no spot to resist with: what springs had is lost
+                if (!(normal.radius > 0))
+                {
+                    for (SpringEnergy& s : e.springs) s.yields = true;
+                    return e;
+                }
+            }
+            const V slipV = v - vn*n + cross(arm, n);
+            const V still{0, 0, 0};
+            // power: what the part takes from the two bodies; the spring gets `input` of it
+            const auto account = [&]
+            (
+                SpringEnergy& s, double limit, double stiffness, double square, double input,
+                double power
+            )
+            {
+                s.yields = stiffness*stiffness*square > 0.98*limit*limit;
+                s.square = square;
+                s.input = input;
+                e.dashpots += power - input;
+            };
+            // as it was when the forces were evaluated
+            const auto spring = [&](const double* stored, const V& velocity)
+            {
+                return vector(stored) - ahead*velocity;
+            };
+            double pressed = normal.elastic;
+            if constexpr (!Normal::elastic) pressed += normal.buildUp;
+            double twistingLimit = 0;
+
+            if constexpr (Tangential::on)
+            {
+                V xi = spring(h + hT, slipV);
+                const V force = Tangential::template evaluate<double>
+                (
+                    c + cT, pressed, normal.damping, normal.radius, still, slipV, xi
+                );
+                const double k = Tangential::stiffness(c + cT, normal.radius);
+                const double limit = Tangential::template limit<double>(c + cT, pressed);
+                account
+                (
+                    e.springs[0], limit, k, dot(xi, xi), k*dot(xi, slipV), -dot(force, slipV)
+                );
+                e.springs[0].stiffness = k;
+                if constexpr (Twisting::limitedBySliding) twistingLimit = limit;
+            }
+            if constexpr (Rolling::on)
+            {
+                const double skew = c[cR + Rolling::nConstants - 2];
+                const double R = c[cR + Rolling::nConstants - 1];
+                const V turning = cross(wRel, n);
+                const V rollV = R*turning + skew*slipV;
+                V xi = spring(h + hR, rollV);
+                const V M = Rolling::template evaluate<double>
+                (
+                    c + cR, normal, still, rollV, xi
+                );
+                const double k = Rolling::stiffness(c + cR, normal);
+                const double limit = Rolling::template limit<double>(c + cR, normal);
+                account
+                (
+                    e.springs[1], limit, k, dot(xi, xi), k*dot(xi, turning), dot(M, turning)
+                );
+                e.springs[1].stiffness = k/R;
+                e.springs[1].gain = k/R*skew*dot(xi, slipV);
+                if constexpr (Twisting::limitedByBending) twistingLimit = limit;
+            }
+            if constexpr (Twisting::on)
+            {
+                const double spinN = dot(wRel, n);
+                double xi = h[hW] - ahead*spinN;
+                const double moment = Twisting::template evaluate<double>
+                (
+                    c + cW, normal, twistingLimit, 0, spinN, xi
+                );
+                const double k = Twisting::stiffness(c + cW, normal);
+                account
+                (
+                    e.springs[2], Twisting::limit(c + cW, normal, twistingLimit), k, xi*xi,
+                    k*xi*spinN, -moment*spinN
+                );
+                e.springs[2].stiffness = k;
+            }
+        }
+        return e;
+    }
+
     double touchDistance(int pair, const PairConstants& c) const override
     {
         return Normal::touchDistance(pairs_[std::size_t(pair)].n, c);

@@ -4,6 +4,7 @@
 // The laws are composites of parts (Composite.hpp) made by newContactLaw().
 #pragma once
 
+#include "contactModels/contactModel/ContactEnergy.hpp"
 #include "contactModels/contactModel/ContactScale.hpp"
 #include "contactModels/contactModel/NormalResponse.hpp"
 #include "contacts/ContactList.hpp"
@@ -72,6 +73,13 @@ public:
     virtual NormalResponse<double> normalResponse
     (
         const double* constants, double overlap, double* history
+    ) const = 0;
+
+    //- Energies of contact k, whose springs are ahead by the slip time `ahead` [s]
+    virtual ContactEnergy energy
+    (
+        const ContactList& list, std::size_t k, const Body* bodies, double ahead,
+        const Periodic& periodic
     ) const = 0;
 
     //- Contact begins at overlap = -touchDistance [m]: 0 but for laws that act at a distance

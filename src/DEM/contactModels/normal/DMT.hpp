@@ -3,6 +3,7 @@
 // DMT: Hertz with a constant attraction, for small stiff particles (Tabor number < 0.1).
 //
 //     F_N = (4/3) E R^(1/2) delta^(3/2) - 4 pi R gamma,    a = (R delta)^(1/2)
+//     energy (8/15) E R^(1/2) delta^(5/2) - 4 pi R gamma delta
 //
 // Starts and ends at delta = 0; pull-off force 4 pi R gamma (W = 2 gamma). Damping as Hertz.
 // Rolling grows with (a/a0)^(3/2), a0^3 = 3 pi gamma R^2/E the equilibrium radius.
@@ -79,6 +80,11 @@ struct DMT
         r.elastic = r.elastic - c[3];
         r.strength = A*squareRoot(A);
         return r;
+    }
+
+    static NormalEnergy energy(const double* c, double overlap, const double* h)
+    {
+        return {Hertz::energy(c, overlap, h).stored - c[3]*std::max(overlap, 0.0)};
     }
 };
 

@@ -5,6 +5,7 @@
 //     F_N = (4/3) E R^(1/2) delta^(3/2),       a = (R delta)^(1/2)
 //     eta_N = 2 (5/6)^(1/2) beta (S_n m)^(1/2),  S_n = 2 E (R delta)^(1/2)
 //     beta = |ln e|/(ln^2 e + pi^2)^(1/2)
+//     energy (2/5) F_N delta
 //
 // E [Pa] effective modulus, R [m], m [kg] effective radius and mass, delta [m] overlap,
 // e [-] restitution, reproduced exactly at every speed.
@@ -14,6 +15,7 @@
 // Proof: tests/unit/DEM/contactLaws.cpp, tests/verification/DEM/convergence.cpp
 #pragma once
 
+#include "contactModels/contactModel/ContactEnergy.hpp"
 #include "contactModels/contactModel/ContactScale.hpp"
 #include "contactModels/contactModel/NormalResponse.hpp"
 #include "contactModels/contactModel/PartInput.hpp"
@@ -85,6 +87,12 @@ struct Hertz
         const Real d = maximum(overlap, Real(0));
         const Real a = squareRoot(c[0]*d);
         return {c[1]*a*d, c[2]*squareRoot(a), a, Real(0), overlap};
+    }
+
+    static NormalEnergy energy(const double* c, double overlap, const double*)
+    {
+        const double d = std::max(overlap, 0.0);
+        return {0.4*c[1]*std::sqrt(c[0]*d)*d*d};
     }
 };
 

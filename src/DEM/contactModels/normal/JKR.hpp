@@ -4,6 +4,7 @@
 //
 //     delta = (a0^2/R)(A^2 - (2/3) A^(1/2)),   F_N = 4 F_C (A^3 - A^(3/2)),   A = a/a0
 //     a0 = (9 pi gamma R^2/E)^(1/3),           F_C = 3 pi R gamma
+//     energy 4 F_C (a0^2/R) ((2/5) A^5 - (2/3) A^(7/2) + (1/6) A^2 + (1/10) (2/3)^(4/3))
 //     eta_N = alpha (m k_N)^(1/2), k_N = (4/3) E a;   eta_T = eta_N
 //
 // Contact starts at delta = 0 (F_N = -(8/9) F_C), necks, and ends at
@@ -17,6 +18,7 @@
 // Proof: tests/unit/DEM/contactLaws.cpp, tests/verification/DEM/jkrCollision.cpp
 #pragma once
 
+#include "contactModels/contactModel/ContactEnergy.hpp"
 #include "contactModels/contactModel/ContactScale.hpp"
 #include "contactModels/contactModel/NormalResponse.hpp"
 #include "contactModels/contactModel/PartInput.hpp"
@@ -98,6 +100,12 @@ struct JKR
         const Real s = jkrCurve::rootOf(q);
         const Real s3 = s*s*s;
         return {c[1]*(s3*s3 - s3), c[3]*s, c[2]*s*s, s3, q};
+    }
+
+    static NormalEnergy energy(const double* c, double overlap, const double*)
+    {
+        const double s = jkrCurve::rootOf(overlap*c[0] + jkrCurve::neck);
+        return {c[1]/c[0]*jkrCurve::energy(s)};
     }
 };
 

@@ -9,6 +9,7 @@
 //       unloading initial:   2 E' a          slope of a Hertzian contact of radius a
 //       unloading average:   (4/3) E' a      its force over its overlap
 //       restitution e:       K_R/e^2         (without attraction it rebounds with e v)
+//     energy F_R^2/(2 K_2) - F_c delta;  plastic work (1/2) F_Rmax delta_max (1 - K_R/K_2 + c_f)
 //
 // a^2 = 2 R delta_max is the flattened spot, E' = s_f^(5/4) E. Contact begins at delta = 0
 // and ends there, and forgets; delta_max is its history. K_2 >= K_R, else it would create
@@ -32,6 +33,7 @@
 // Proof: tests/unit/DEM/cohesivePlastic.cpp, tests/verification/cohesivePlastic
 #pragma once
 
+#include "contactModels/contactModel/ContactEnergy.hpp"
 #include "contactModels/contactModel/ContactScale.hpp"
 #include "contactModels/contactModel/NormalResponse.hpp"
 #include "contactModels/contactModel/PartInput.hpp"
@@ -212,6 +214,20 @@ struct cohesivePlastic
             repulsion - c[1] - buildUp, c[6], a, Real(0), overlap,
             buildUp, c[2]*c[0]*before,
             squareRoot(before/maximum(h[0], Real(1e-290)))
+        };
+    }
+
+    //- Unloading gives back F_R^2/(2 K_2) and costs F_c delta
+    static NormalEnergy energy(const double* c, double overlap, const double* h)
+    {
+        const double d = std::max(overlap, 0.0);
+        const double unloading = std::max(c[4], c[3]*std::sqrt(c[5]*h[0]));
+        const double most = c[0]*h[0];
+        const double repulsion = std::max(most - unloading*(h[0] - d), 0.0);
+        return
+        {
+            0.5*repulsion*repulsion/unloading - (c[1] + c[2]*most)*d,
+            0.5*most*h[0]*(1 - c[0]/unloading + c[2])
         };
     }
 };

@@ -17,6 +17,14 @@ namespace dem
 namespace jkrCurve
 {
 
+//- Energy over 4 F_C a0^2/R, zero at delta = 0: the integral of (s^6 - s^3) over s^4 - (2/3) s,
+//  (2/5) s^10 - (2/3) s^7 + (1/6) s^4, less its value at s^3 = 2/3
+inline double energy(double s)
+{
+    const double s3 = s*s*s;
+    return s*s3*((0.4*s3 - 2.0/3.0)*s3 + 1.0/6.0) + 0.1*std::pow(2.0/3.0, 4.0/3.0);
+}
+
 //- s_c = 6^(-1/3)
 inline constexpr double sC = 0.55032120814910444731;
 

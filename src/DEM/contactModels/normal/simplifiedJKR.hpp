@@ -2,7 +2,7 @@
 //
 // Simplified JKR: the JKR force, but contact starts AND ends at delta = 0.
 //
-//     F_N as JKR for delta >= 0;  holds at most (8/9) F_C
+//     F_N and energy as JKR for delta >= 0;  holds at most (8/9) F_C
 //     eta_N = 2 (5/6)^(1/2) beta (S_n m)^(1/2),  S_n = 2 E (R delta)^(1/2)
 //     sliding: S_t = 8 G (R delta)^(1/2), eta_T = 2 (5/6)^(1/2) beta (S_t m)^(1/2)
 //
@@ -81,6 +81,11 @@ struct simplifiedJKR
         const Real s3 = s*s*s;
         const Real a = squareRoot(c[2]*d);
         return {c[1]*(s3*s3 - s3), c[3]*squareRoot(a), a, s3, overlap};
+    }
+
+    static NormalEnergy energy(const double* c, double overlap, const double* h)
+    {
+        return JKR::energy(c, std::max(overlap, 0.0), h);
     }
 };
 

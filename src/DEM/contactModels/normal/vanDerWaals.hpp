@@ -5,6 +5,7 @@
 //     F_N = -A_H R/(6 z^2)                  gap z = -delta, from `range` down to z0
 //     F_N = -A_H R/(6 z0^2)                 z0 > z > 0
 //     F_N = (4/3) E R^(1/2) delta^(3/2) - A_H R/(6 z0^2)     in contact, a = (R delta)^(1/2)
+//     energy: minus the integral of F_N from `range` on
 //
 // z0 [m] is the cut-off distance of the Hamaker force. Its constant A_H [J] is not a keyword
 // but follows from the surface energy gamma [J/m2] of the pair,
@@ -109,7 +110,7 @@ struct vanDerWaals
     }
 
     //- The attraction falls off with the slope 2 F_C/z0, and a fast particle must not step
-    //  across the distance over which it changes
+    //  across the distance over which it changes, nor must it until the next look
     static ElasticBound bound
     (
         const Parameters& p, const ContactScale& s, double overlap, double speed,
@@ -118,7 +119,7 @@ struct vanDerWaals
     {
         ElasticBound b = DMT::bound(p.hertz, s, overlap, speed, history);
         const double z0 = p.cutOff*stretch(s.pair);
-        const double near = std::max(z0, std::fabs(overlap));
+        const double near = std::max(z0, 0.5*std::fabs(overlap));
         b.stiffness = std::max
         (
             b.stiffness + 2*pullOff(p, s.pair, s.R)/z0, s.m*speed*speed/(near*near)
@@ -137,6 +138,16 @@ struct vanDerWaals
         r.elastic = r.elastic + (Real(1) - q*q)*c[3];
         r.remaining = overlap + c[6];
         return r;
+    }
+
+    static NormalEnergy energy(const double* c, double overlap, const double* h)
+    {
+        const double z0 = c[5], z = std::max(z0, -overlap);
+        return
+        {
+            Hertz::energy(c, overlap, h).stored
+          - c[3]*(z0*z0*(1/z - 1/c[6]) + std::max(z0 + overlap, 0.0))
+        };
     }
 };
 

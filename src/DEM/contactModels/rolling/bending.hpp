@@ -100,6 +100,12 @@ struct bending
         return Real(0.5)*F*c[1]*squareRoot(F);
     }
 
+    //- M per xi [N]; the spring's energy is F_c xi^2/(4 R)
+    static double stiffness(const double* c, const NormalResponse<double>& normal)
+    {
+        return 0.5*(c[0] + normal.buildUp);
+    }
+
     //- The vector M with torque on i = -n x M [N m]
     template<class Real>
     [[gnu::always_inline]] static V3<Real> evaluate

@@ -107,6 +107,18 @@ struct springSlider
     //- 4 F_C xi_crit [N m]
     static double yield(const double* c) { return c[0]*c[1]; }
 
+    //- M per xi [N]; the spring's energy is k_r xi^2/(2 R)
+    static double stiffness(const double* c, const NormalResponse<double>& normal)
+    {
+        return c[0]*normal.strength;
+    }
+    //- Moment at which it yields [N m]
+    template<class Real>
+    static Real limit(const Real* c, const NormalResponse<Real>& normal)
+    {
+        return c[0]*normal.strength*c[1];
+    }
+
     //- The vector M with torque on i = -n x M [N m]
     template<class Real>
     [[gnu::always_inline]] static V3<Real> evaluate

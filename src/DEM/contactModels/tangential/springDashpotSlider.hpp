@@ -55,7 +55,7 @@ struct springDashpotSlider
         c[3] = r.slidingOffset;
     }
 
-    //- k_T [N/m] at contact radius a
+    //- k_T [N/m] at contact radius a; the spring's energy is k_T xi^2/2
     static double stiffness(const double* c, double a) { return c[0]*a; }
 
     //- Share of xi that is kept where k_T has grown: the force stays

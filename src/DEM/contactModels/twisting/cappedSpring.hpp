@@ -75,6 +75,20 @@ struct cappedSpring
             (c[1] + normal.buildUpBefore)/maximum(c[1] + normal.buildUp, Real(1e-290));
     }
 
+    //- K_phi [N m/rad]; the spring's energy is K_phi xi^2/2
+    static double stiffness(const double* c, const NormalResponse<double>& normal)
+    {
+        return c[0]*(c[1] + normal.buildUp);
+    }
+    //- Moment at which it yields [N m]
+    static double limit
+    (
+        const double* c, const NormalResponse<double>&, double bendingLimit
+    )
+    {
+        return c[2]*bendingLimit;
+    }
+
     //- Moment on i along n [N m]
     template<class Real>
     [[gnu::always_inline]] static Real evaluate

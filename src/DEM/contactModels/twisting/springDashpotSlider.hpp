@@ -57,6 +57,20 @@ struct springDashpotSlider
         return normal.radiusKept*normal.radiusKept*normal.radiusKept;
     }
 
+    //- k_Q [N m/rad]; the spring's energy is k_Q xi^2/2
+    static double stiffness(const double* c, const NormalResponse<double>& normal)
+    {
+        return c[0]*normal.radius*normal.radius*normal.radius;
+    }
+    //- Moment at which it yields [N m]
+    static double limit
+    (
+        const double* c, const NormalResponse<double>& normal, double slidingLimit
+    )
+    {
+        return c[2]*normal.radius*slidingLimit;
+    }
+
     //- Moment on i along n [N m]
     template<class Real>
     [[gnu::always_inline]] static Real evaluate
