@@ -171,11 +171,12 @@ std::vector<dem::Vec3> column(unsigned seed, int n)
         dem::Vec3 x;
         const auto taken = [&]
         {
-            for (std::size_t j = all.size() - std::min<std::size_t>(all.size(), 120); j < all.size(); ++j)
-            {
-                if (p.nearest(all[j] - x).norm() < 2.02*radius) return true;
-            }
-            return false;
+            const std::size_t last = std::min<std::size_t>(all.size(), 120);
+            return std::any_of
+            (
+                all.end() - std::ptrdiff_t(last), all.end(),
+                [&](const dem::Vec3& y) { return p.nearest(y - x).norm() < 2.02*radius; }
+            );
         };
         do
         {
@@ -478,7 +479,10 @@ int lammps(char** argv)
             if (overlap > 0) p.contacts.push_back({int(i), int(j), overlap, -1});
         }
     }
-    std::printf("LAMMPS,%s,%s,%s,,%s,,,%s,,,,,,,,,,", argv[2], argv[3], argv[4], argv[5], argv[6]);
+    std::printf
+    (
+        "LAMMPS,%s,%s,%s,,%s,,,%s,,,,,,,,,,", argv[2], argv[3], argv[4], argv[5], argv[6]
+    );
     printStatistics(p, chi);
     return 0;
 }
