@@ -25,8 +25,8 @@
 //     |torque| < max(0.02 F_C r, M_y)     (M_y: rolling yields)
 // times restTolerance, F_C and delta_C the weakest of its contacts as softened, and when it
 // holds on to a wall, directly or by particles at rest. (One that rocks, with less energy
-// than would let it roll, has no damping: it counts as quiet after 30 windows.) It wakes when |force| > F_C or
-// |torque| > F_C r times restTolerance, what its resting neighbours give to it included;
+// than would let it roll, has no damping: it counts as quiet after 30 windows.) It wakes when
+// |force| > F_C/2 or |torque| > F_C r/2 times restTolerance, what its resting neighbours give to it included;
 // when a contact of it ends; or when the gas force on it has changed by
 // 0.1 min(F_C, M_y/r). Contacts between two that rest keep load and history. A cluster that
 // flies is judged by its motion beyond that of a rigid body of the same momentum and angular

@@ -6,9 +6,11 @@
 // other, so that the first one reaches the floor at once.
 //
 //   ballisticPacking write SEED N FILE      the column as a LAMMPS data file (units micro)
-//   ballisticPacking run CHI SEED N STEPS_PER_CONTACT REST_TOLERANCE PARTICLE_STEP_us
-//       [progress]  print a line every 20 us
-//   ballisticPacking statistics CHI FILE    phi, Z and overlaps of a LAMMPS data file
+//   ballisticPacking header                 header line of the rows below (CSV)
+//   ballisticPacking run CHI SEED N STEPS_PER_CONTACT REST_TOLERANCE PARTICLE_STEP_us [progress]
+//       one row; progress: a line every 20 us on stderr
+//   ballisticPacking lammps CHI SEED N STEP_tC CPU_s FILE
+//       a row from the data file that LAMMPS has written and the CPU time it has taken
 //
 // It goes on for 500 us N/2000 + 60 us. The last 20 us are with rest off (the thaw), before
 // the statistics are taken; their CPU time counts.
@@ -19,6 +21,7 @@
 //   rolled    plastic rolling of a contact since it was formed, summed over all steps by the
 //             rolling law itself, in units of xi_crit = criticalAngle R; mean over contacts
 //   overlaps  percentiles of delta/delta_0
+// Steps are given in t_C = r (rho^2/(E^2 U))^(1/5), E the softened Young's modulus.
 #include "DEM.hpp"
 
 #include "contactModels/contactModel/newComposite.hpp"
@@ -168,11 +171,12 @@ std::vector<dem::Vec3> column(unsigned seed, int n)
         dem::Vec3 x;
         const auto taken = [&]
         {
-            for (std::size_t j = all.size() - std::min<std::size_t>(all.size(), 120); j < all.size(); ++j)
-            {
-                if (p.nearest(all[j] - x).norm() < 2.02*radius) return true;
-            }
-            return false;
+            const std::size_t last = std::min<std::size_t>(all.size(), 120);
+            return std::any_of
+            (
+                all.end() - std::ptrdiff_t(last), all.end(),
+                [&](const dem::Vec3& y) { return p.nearest(y - x).norm() < 2.02*radius; }
+            );
         };
         do
         {
@@ -209,9 +213,15 @@ void write(unsigned seed, int n, const char* name)
 struct Packing
 {
     std::vector<dem::Vec3> x;
-    struct Contact { int i, j; double overlap, rolled; };
+    struct Contact { int i, j; double overlap, rolled; };   // rolled < 0: not recorded
     std::vector<Contact> contacts;
 };
+
+//- t_C [s]
+double timeUnit(double chi)
+{
+    return radius*std::pow(density*density/(std::pow(chi*youngsModulus, 2)*speed), 0.2);
+}
 
 //- delta_0 of two spheres as softened [m]
 double equilibriumOverlap(double chi)
@@ -262,12 +272,24 @@ void printStatistics(const Packing& p, double chi)
     {
         return overlaps.at(std::size_t(q*double(overlaps.size() - 1)));
     };
+    const bool recorded = !p.contacts.empty() && p.contacts[0].rolled >= 0;
     std::printf
     (
-        "phi %.5f Z %.4f rolled %.4f p10 %.4f p50 %.4f p90 %.4f contacts %zu\n",
+        "%.5f,%.4f,%s,%.4f,%.4f,%.4f,%zu\n",
         solid/(cell*cell*(z1 - z0)), partners/inside,
-        rolled/double(overlaps.size()), percentile(0.1), percentile(0.5),
-        percentile(0.9), overlaps.size()
+        recorded ? std::to_string(rolled/double(overlaps.size())).c_str() : "",
+        percentile(0.1), percentile(0.5), percentile(0.9), overlaps.size()
+    );
+}
+
+void printHeader()
+{
+    std::puts
+    (
+        "code,chi,seed,particles,stepsPerContact,step_tC,restTolerance,particleStep_us,"
+        "cpu_s,thawCpu_s,contactSteps,contactUpdates,awakeShare,sleeps,wakes,"
+        "removedEnergyShare,formed,broken,phi,Z,rolled_xiCrit,overlapP10_delta0,"
+        "overlapP50_delta0,overlapP90_delta0,contacts"
     );
 }
 
@@ -401,15 +423,14 @@ int run(int argc, char** argv)
         }
         if (progress && (k + 1)%int(std::lround(20e-6/dt)) == 0)
         {
-            std::printf
+            std::fprintf
             (
-                "t_us %.0f cpu_s %.3f updates %ld steps %ld inContact %ld resting %ld "
+                stderr, "t_us %.0f cpu_s %.3f updates %ld steps %ld inContact %ld resting %ld "
                 "sleeps %ld wakes %ld\n",
                 system->time()*1e6, cpu(), long(all.contactUpdates - updatesShown),
                 long(all.contactSteps), long(r.inContact), long(r.resting),
                 long(all.sleeps), long(all.wakes)
             );
-            std::fflush(stdout);
             updatesShown = all.contactUpdates;
         }
     }
@@ -417,12 +438,11 @@ int run(int argc, char** argv)
     if (cpuThaw < 0) cpuThaw += total;
     std::printf
     (
-        "chi %g seed %u N %d stepsPerContact %g restTolerance %g particleStep_us %g "
-        "cpu_s %.3f thaw_s %.3f search_s %.3f updates %ld contactSteps %ld "
-        "awakeShare %.4f sleeps %ld wakes %ld removedEnergy %.3g formed %ld broken %ld ",
-        chi, seed, n, time.stepsPerContact, time.restTolerance, dt*1e6,
-        total, cpuThaw, all.secondsSearch, long(all.contactUpdates), long(all.contactSteps),
-        awake/touching, long(all.sleeps), long(all.wakes),
+        "dustFoam,%g,%u,%d,%g,%.4f,%g,%g,%.3f,%.3f,%ld,%ld,%.4f,%ld,%ld,%.3g,%ld,%ld,",
+        chi, seed, n, time.stepsPerContact,
+        duration(n)/double(all.contactSteps)/timeUnit(chi), time.restTolerance, dt*1e6,
+        total, cpuThaw, long(all.contactSteps), long(all.contactUpdates), awake/touching,
+        long(all.sleeps), long(all.wakes),
         all.energyRemovedByRest/(n*0.5*mass()*speed*speed),
         long(all.touches), long(all.separations)
     );
@@ -432,10 +452,11 @@ int run(int argc, char** argv)
 
 
 //- Of a data file that LAMMPS has written; it has no record of rolling
-int statistics(double chi, const char* name)
+int lammps(char** argv)
 {
+    const double chi = std::atof(argv[2]);
     Packing p;
-    std::ifstream file(name);
+    std::ifstream file(argv[7]);
     std::string line;
     bool atoms = false;
     while (std::getline(file, line))
@@ -455,9 +476,13 @@ int statistics(double chi, const char* name)
         {
             const double overlap =
                 2*radius - periodic().nearest(p.x[j] - p.x[i]).norm();
-            if (overlap > 0) p.contacts.push_back({int(i), int(j), overlap, 0});
+            if (overlap > 0) p.contacts.push_back({int(i), int(j), overlap, -1});
         }
     }
+    std::printf
+    (
+        "LAMMPS,%s,%s,%s,,%s,,,%s,,,,,,,,,,", argv[2], argv[3], argv[4], argv[5], argv[6]
+    );
     printStatistics(p, chi);
     return 0;
 }
@@ -474,6 +499,11 @@ int main(int argc, char** argv)
         write(unsigned(std::atoi(argv[2])), std::atoi(argv[3]), argv[4]);
         return 0;
     }
-    if (what == "statistics" && argc > 3) return statistics(std::atof(argv[2]), argv[3]);
+    if (what == "lammps" && argc > 7) return lammps(argv);
+    if (what == "header")
+    {
+        printHeader();
+        return 0;
+    }
     return 1;
 }
