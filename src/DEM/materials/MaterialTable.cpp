@@ -257,7 +257,13 @@ ContactFigures MaterialTable::figures
     const double invInertia =
         2.5*(1/(mi*ri*ri) + (rj > 0 ? 1/(mj*rj*rj) : 0));
     const double history[maxHistory] = {};
-    f.period = law.period(pair, scale, c, history, invInertia, 0, speed);
+    const ContactBound b = law.bound(pair, scale, c, history, invInertia, 0, speed);
+    f.period = b.period;
+    f.stableStep = stabilityBound
+    (
+        b.stiffness/f.m + b.rotational*invInertia,
+        b.damping/f.m + b.rotationalDamping*invInertia
+    );
     const Impact impact = law.impact(pair, scale, speed);
     f.impactOverlap = impact.overlap;
     f.impactTime = impact.time;

@@ -30,6 +30,12 @@ constexpr double wakeForce = 1;
 constexpr double wakeForceChange = 0.1;
 constexpr double windowPeriods = 3;
 
+// A stability bound below this share of the period of the contacts is not worth keeping to
+constexpr double leastBound = 1e-5;
+
+// Nothing passes through a particle unseen: the most that a pair closes in a step [radii]
+constexpr double mostPath = 0.05;
+
 // Old and new normals of one wall contact differ by less than 60 degrees
 constexpr double sameNormal = 0.5;
 
@@ -328,13 +334,13 @@ bool IslandIntegrator::endMarked(StepReport& report)
                 if (!list.ended[k]) continue;
                 if (wall)
                 {
-                    law.evaluateWalls(list, k, k + 1, bodies_.data(), loads_.data(), {0, -0.5*ahead_, 0}, -1);
+                    law.evaluateWalls(list, k, k + 1, bodies_.data(), loads_.data(), {0, -ahead_, 0}, -1);
                 }
                 else
                 {
                     law.evaluatePairs
                     (
-                        list, k, k + 1, bodies_.data(), loads_.data(), {0, -0.5*ahead_, 0}, -1, periodic_
+                        list, k, k + 1, bodies_.data(), loads_.data(), {0, -ahead_, 0}, -1, periodic_
                     );
                 }
                 const int partners[2] = {list.i[k], wall ? -1 : list.j[k]};
@@ -413,12 +419,12 @@ bool IslandIntegrator::form(StepReport& report)
             law.evaluatePairs
             (
                 lists_[l].pairs, before[l].pairs, lists_[l].pairs.size(),
-                bodies_.data(), loads_.data(), {0, 0, 0.5*ahead_}, 1, periodic_
+                bodies_.data(), loads_.data(), {0, 0, ahead_}, 1, periodic_
             );
             law.evaluateWalls
             (
                 lists_[l].walls, before[l].walls, lists_[l].walls.size(),
-                bodies_.data(), loads_.data(), {0, 0, 0.5*ahead_}, 1
+                bodies_.data(), loads_.data(), {0, 0, ahead_}, 1
             );
         }
     }
@@ -567,7 +573,7 @@ double IslandIntegrator::gap(const Candidate& c, Vec3& n) const
     const Body& b = bodies_[std::size_t(c.j)];
     n = periodic_.nearest(vec(b.x) - vec(a.x));
     const double distance = n.norm();
-    n /= distance;
+    if (distance > 0) n /= distance;
     return distance - a.r - b.r - c.touch;
 }
 
@@ -813,8 +819,9 @@ void IslandIntegrator::step(double h, double next, StepReport& report)
     if (2*moved_ > 0.5*skin_) refreshNear();
 
     updateWalls();
-    evaluate({h, 0.5*h, 0.5*next}, report);
-    ahead_ = next;
+    const double ahead = springLead_*next;
+    evaluate({h, h - ahead_, ahead}, report);
+    ahead_ = ahead;
 
     for (const int i : awake_)
     {
@@ -834,8 +841,9 @@ void IslandIntegrator::step(double h, double next, StepReport& report)
 //- Let the springs be ahead for a coming step h; loads are unchanged
 void IslandIntegrator::prepareSprings(double h)
 {
-    if (h == ahead_) return;
-    const SpringStep step{0, -0.5*ahead_, 0.5*h};
+    const double ahead = springLead_*h;
+    if (ahead == ahead_) return;
+    const SpringStep step{0, -ahead_, ahead};
     for (std::size_t l = 0; l < lists_.size(); ++l)
     {
         const ContactLaw& law = *materials_.laws()[l];
@@ -851,16 +859,30 @@ void IslandIntegrator::prepareSprings(double h)
             lists.walls, 0, lists.walls.size(), bodies_.data(), loads_.data(), step, 0
         );
     }
-    ahead_ = h;
+    ahead_ = ahead;
 }
 
 
-//- The contact step that the contacts need as they are now; watches them as well
+//- The acceleration of a particle as last evaluated [m/s2]
+Vec3 IslandIntegrator::acceleration(int i) const
+{
+    const std::size_t k = std::size_t(i);
+    if (rest_[k].resting) return Vec3::Zero();
+    const GasLoad& g = gas_[k];
+    return (vec(loads_[k].f) + g.Sp*(g.Uc - vec(bodies_[k].v)) + g.Su)*kicks_[k].invM;
+}
+
+
+//- The contact step that the contacts need as they are now and until the next look; watches
+//  them as well. See contactPeriod.hpp.
 double IslandIntegrator::contactStep(double time, StepReport& report)
 {
-    double shortest = 1e300;
+    const int looks = exactEvents_ ? stepsBetweenLooks : stepsBetweenLooksDense;
+    double shortest = 1e300, path = 1e300, slipTime = 1e30, turnTime = 1e30;
+    sums_.assign(particles_.size(), {});
     for (std::size_t l = 0; l < lists_.size(); ++l)
     {
+        const ContactLaw& law = *materials_.laws()[l];
         for (const bool wall : {false, true})
         {
             const ContactList& list = wall ? lists_[l].walls : lists_[l].pairs;
@@ -870,19 +892,18 @@ double IslandIntegrator::contactStep(double time, StepReport& report)
                 const Body& bi = bodies_[i];
                 const Entry& e = entries_[std::size_t(list.tag[k])];
 
-                double speed, smaller = bi.r;
-                if (wall)
-                {
-                    speed =
-                        bi.v[0]*list.nx[k] + bi.v[1]*list.ny[k] + bi.v[2]*list.nz[k];
-                }
+                double smaller = bi.r;
+                Vec3 n, v = vec(bi.v), a = acceleration(int(i));
+                if (wall) n = Vec3(list.nx[k], list.ny[k], list.nz[k]);
                 else
                 {
                     const Body& bj = bodies_[std::size_t(list.j[k])];
-                    const Vec3 n = periodic_.nearest(vec(bj.x) - vec(bi.x)).normalized();
-                    speed = (vec(bi.v) - vec(bj.v)).dot(n);
+                    n = periodic_.nearest(vec(bj.x) - vec(bi.x)).normalized();
+                    v -= vec(bj.v);
+                    a -= acceleration(list.j[k]);
                     smaller = std::min(smaller, bj.r);
                 }
+                const double speed = std::fabs(v.dot(n));
                 if (!std::isfinite(speed) || !std::isfinite(list.overlap[k]))
                 {
                     fail("is not finite", int(i), wall ? -1 : list.j[k], time);
@@ -903,26 +924,167 @@ double IslandIntegrator::contactStep(double time, StepReport& report)
 
                 const int mi = particles_[i].material;
                 double c[maxConstants];
-                for (std::size_t a = 0; a < list.constants.size(); ++a)
+                for (std::size_t m = 0; m < list.constants.size(); ++m)
                 {
-                    c[a] = list.constants[a][k];
+                    c[m] = list.constants[m][k];
                 }
                 double history[maxHistory];
-                for (std::size_t a = 0; a < list.history.size(); ++a)
+                for (std::size_t m = 0; m < list.history.size(); ++m)
                 {
-                    history[a] = list.history[a][k];
+                    history[m] = list.history[m][k];
                 }
-                const double period = materials_.laws()[l]->period
-                (
-                    materials_.pairInLaw(mi, e.materialJ),
-                    {materials_.constants(mi, e.materialJ), e.R, e.m}, c, history,
-                    e.invInertia, list.overlap[k], std::fabs(speed)
-                );
-                shortest = std::min(shortest, period);
+                const auto boundAt = [&](double at)
+                {
+                    return law.bound
+                    (
+                        materials_.pairInLaw(mi, e.materialJ),
+                        {materials_.constants(mi, e.materialJ), e.R, e.m}, c, history,
+                        e.invInertia, list.overlap[k], at
+                    );
+                };
+                ContactBound b = boundAt(speed);
+                // what presses may make it faster, and so stiffer, before the next look
+                const double gained =
+                    std::max(0.0, a.dot(n))*looks*b.period/time_.stepsPerContact;
+                const double depth = b.radius*b.radius/e.R;
+                if (e.m*gained*(gained + speed) > 0.01*b.stiffness*depth*depth)
+                {
+                    b = boundAt(speed + gained);
+                }
+
+                if (speed > 0) path = std::min(path, mostPath*smaller/speed);
+                shortest = std::min(shortest, b.period);
+                slipTime = std::min(slipTime, b.slipTime);
+                turnTime = std::min(turnTime, b.turnTime);
+                for (const int p : {list.i[k], wall ? -1 : list.j[k]})
+                {
+                    if (p < 0) continue;
+                    Sums& s = sums_[std::size_t(p)];
+                    s.stiffness += b.stiffness;
+                    s.damping += b.damping;
+                    s.rotational += b.rotational;
+                    s.rotationalDamping += b.rotationalDamping;
+                }
             }
         }
     }
-    return shortest/time_.stepsPerContact;
+    if (shortest == 1e300) return shortest;
+
+    // No mode is faster than the fastest of these sums
+    Sums most;
+    for (const LawLists& l : lists_)
+    {
+        for (const bool wall : {false, true})
+        {
+            const ContactList& list = wall ? l.walls : l.pairs;
+            for (std::size_t k = 0; k < list.size(); ++k)
+            {
+                Sums both;
+                for (const int p : {list.i[k], wall ? -1 : list.j[k]})
+                {
+                    if (p < 0) continue;
+                    const Sums& s = sums_[std::size_t(p)];
+                    const Kick& kick = kicks_[std::size_t(p)];
+                    both.stiffness += s.stiffness*kick.invM;
+                    both.damping += s.damping*kick.invM;
+                    both.rotational += s.rotational*kick.invI;
+                    both.rotationalDamping += s.rotationalDamping*kick.invI;
+                }
+                most.stiffness = std::max(most.stiffness, both.stiffness);
+                most.damping = std::max(most.damping, both.damping);
+                most.rotational = std::max(most.rotational, both.rotational);
+                most.rotationalDamping =
+                    std::max(most.rotationalDamping, both.rotationalDamping);
+            }
+        }
+    }
+    bound_ = stabilityBound
+    (
+        most.stiffness + most.rotational, most.damping + most.rotationalDamping
+    );
+    period_ = shortest;
+    double h = shortest/time_.stepsPerContact;
+    if (bound_ < leastBound*shortest)
+    {
+        const int i = awake_.empty() ? 0 : awake_[0];
+        std::ostringstream what;
+        what << "is in an island whose dashpots are stable below a step of " << bound_
+             << " s only, " << bound_/shortest
+             << " of a contact's period (rollingDamping, twistingDamping)";
+        fail(what.str(), i, -1, time);
+    }
+    h = std::min({h, time_.boundShare*bound_, path});
+    h = std::min(h, meetingStep(h, looks));
+
+    // what springs without a dashpot lack, see contactPeriod.hpp
+    const double lacks = std::max
+    ({
+        0.0, h*h*most.stiffness/8 - slipTime/h, h*h*most.rotational/8 - turnTime/h
+    });
+    springLead_ = 0.5 - std::min(lacks, 0.5);
+    return h;
+}
+
+
+//- h, or shorter where particles that do not touch yet would pass through each other, or
+//  meet within a dense island faster than its contacts so far allow
+double IslandIntegrator::meetingStep(double h, int looks) const
+{
+    double fastest = 0;
+    for (const int i : awake_)
+    {
+        fastest = std::max(fastest, vec(bodies_[std::size_t(i)].v).norm());
+    }
+    const double path = mostPath*smallest_;     // a quarter of the skin
+    if (exactEvents_ && fastest*h <= path) return h;
+
+    double shortest = h;
+    const double window = looks*h;
+    const auto meet = [&](double gap, double closing, double period)
+    {
+        if (closing*h > path) shortest = std::min(shortest, path/closing);
+        if (!exactEvents_ && gap < closing*window)
+        {
+            shortest = std::min(shortest, period/time_.stepsPerContact);
+        }
+    };
+    for (const Candidate& c : candidates_)
+    {
+        if (c.touching) continue;
+        const Body& a = bodies_[std::size_t(c.i)];
+        const Body& b = bodies_[std::size_t(c.j)];
+        const double closing = (vec(a.v) - vec(b.v)).norm();
+        if (closing*window <= 0) continue;
+        Vec3 n;
+        const double g = gap(c, n);
+        if (g > closing*window) continue;
+        const double period =
+            exactEvents_ ? 1e300
+          : materials_.figures
+            (
+                particles_[std::size_t(c.i)].material, particles_[std::size_t(c.j)].material,
+                a.r, b.r, a.m, b.m, closing
+            ).period;
+        meet(g, closing, period);
+    }
+    std::size_t first = 0;
+    for (std::size_t i = 0; i < particles_.size(); ++i)
+    {
+        const Body& b = bodies_[i];
+        const double speed = vec(b.v).norm();
+        if (surfaceEnd_[i] > first && speed*window > path)
+        {
+            for (std::size_t s = first; s < surfaceEnd_[i]; ++s)
+            {
+                const double range = b.r + reach_[i] + speed*window;
+                if (!wallSearch_.within(surfaces_[s], vec(b.x), range)) continue;
+                shortest = std::min(shortest, std::max(path/speed, 1e-3*h));
+                break;
+            }
+        }
+        first = surfaceEnd_[i];
+    }
+    return shortest;
 }
 
 
@@ -1337,8 +1499,8 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
         {
             if (looked >= lookInterval)
             {
-                contactStep(time + t, report);      // only to watch
-                h = left/std::ceil(left/stiffest*(1 - 1e-12));
+                h = std::min(stiffest, contactStep(time + t, report));
+                h = left/std::ceil(left/h*(1 - 1e-12));
                 looked = 0;
             }
             now = left < 1.5*h ? left : h;
@@ -1379,7 +1541,14 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
             now = timeToTouch(false);
             if (now < 1e-6*smallest_/std::max({fastest_, speedBound, 1e-300}))
             {
-                if (nearTouch == 0) nearTouch = 1e-3*stiffestStep(speedBound);
+                if (nearTouch == 0)
+                {
+                    nearTouch = 1e-3*std::min
+                    (
+                        stiffestStep(speedBound),
+                        mostPath*smallest_/std::max(speedBound, 1e-300)
+                    );
+                }
                 now = std::max(now, nearTouch);
             }
             now = std::min(now, left);
@@ -1408,10 +1577,11 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
     // steps in the shortest contact, as taken
     if (anyContact())
     {
-        const double needed = contactStep(time + dt, report)*time_.stepsPerContact;
+        contactStep(time + dt, report);
         if (h > 0)
         {
-            report.minStepsPerContact = std::min(report.minStepsPerContact, needed/h);
+            report.minStepsPerContact = std::min(report.minStepsPerContact, period_/h);
+            report.maxStepOverBound = std::max(report.maxStepOverBound, h/bound_);
         }
     }
 

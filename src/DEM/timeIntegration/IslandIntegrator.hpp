@@ -4,7 +4,8 @@
 //
 // Without a contact the island flies in closed form to its next touch. With one it takes
 // contact steps of h = T/stepsPerContact, T the shortest period of its contacts as they are
-// now (contactPeriod.hpp). One contact step, v_n -> v_n+1:
+// now, or shorter where stability asks for it (contactPeriod.hpp): many contacts on one light
+// particle, strong dashpots. One contact step, v_n -> v_n+1:
 //     v_h = v_n + (h/2) F_n/m              kick by contact forces
 //     x, v_h moved by the exact flight     drag, gravity
 //     F_n+1 from x_n+1 and the predictor v_h + (h/2) F_n/m
@@ -144,6 +145,12 @@ private:
         double b[3], omegaC[3];
     };
 
+    //- Of all contacts of one particle, see contactPeriod.hpp
+    struct Sums
+    {
+        double stiffness = 0, damping = 0, rotational = 0, rotationalDamping = 0;
+    };
+
     // Contacts
     void contactConstants(int i, int j, int materialJ, double* c) const;
     void begin(int i, int j, int patch, int candidate, const ContactRecord* record);
@@ -168,6 +175,8 @@ private:
     void updateWalls();
     void refreshNear();
     double contactStep(double time, StepReport& report);
+    double meetingStep(double h, int looks) const;
+    Vec3 acceleration(int i) const;
     double stiffestStep(double speed) const;
     double timeToTouch(bool contact) const;
     double timeToEnd(double h) const;
@@ -213,7 +222,11 @@ private:
     ContactList scratch_;
     std::vector<std::vector<double>> wallTouch_;    // [m], by material and patch
 
-    double ahead_ = 0;          // [s] step by half of which the springs are ahead
+    std::vector<Sums> sums_;
+    double period_ = 0;         // [s] shortest at the last look
+    double bound_ = 0;          // [s] stability bound of the step then
+    double springLead_ = 0.5;   // share of a step by which springs are ahead of the loads
+    double ahead_ = 0;          // [s] that is
     double flightStep_ = -1;    // h that flight_ is made for
     double skin_ = 0;           // [m] how far beyond touch near_ looks
     double moved_ = 0;          // [m] path of the fastest since refreshNear()

@@ -6,6 +6,9 @@ namespace dem
 
 struct TimeSettings
 {
+    //- Below this a collision is not resolved: the error of a rebound passes 10 %
+    static constexpr double fewestStepsPerContact = 10;
+
     //- Contact steps in the shortest period of a contact (normal or tangential) [-]
     double stepsPerContact = 50;
 
@@ -15,6 +18,9 @@ struct TimeSettings
     //- false: everything takes the contact step of the stiffest possible contact, as a
     //  conventional DEM code does (exact, slow)
     bool islands = true;
+
+    //- Contact step at most this share of the stability bound (contactPeriod.hpp) [-]
+    double boundShare = 0.8;
 };
 
 }

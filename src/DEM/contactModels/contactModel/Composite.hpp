@@ -17,6 +17,7 @@
 #include "contactModels/contactModel/none.hpp"
 #include "timeIntegration/contactPeriod.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <type_traits>
@@ -450,7 +451,7 @@ public:
         return Normal::touchDistance(pairs_[std::size_t(pair)].n, c);
     }
 
-    double period
+    ContactBound bound
     (
         int pair, const ContactScale& s, const double* c, const double* history,
         double invInertia, double overlap, double speed
@@ -461,16 +462,41 @@ public:
             pairs_[std::size_t(pair)].n, s, overlap, speed, history
         );
         double square = s.m/b.stiffness;
+
+        // the dashpot at that radius
+        double memory[Normal::nHistory > 0 ? Normal::nHistory : 1];
+        std::copy(history, history + Normal::nHistory, memory);
+        const double eta =
+            Normal::template evaluate<double>(c, b.radius*b.radius/s.R, memory).damping;
+        ContactBound result{0, b.radius, b.stiffness, eta};
+        (void)invInertia;
         if constexpr (Tangential::on)
         {
-            square = std::min(square, 2.0/7.0*s.m/Tangential::stiffness(c + cT, b.radius));
+            const double k = Tangential::stiffness(c + cT, b.radius);
+            const double dash = Tangential::damping(c + cT, eta);
+            square = std::min(square, 2.0/7.0*s.m/k);
+            result.stiffness = std::max(result.stiffness, 7*k);
+            result.damping = std::max(eta, 3.5*dash);
+            result.slipTime = dash/k;
         }
         if constexpr (Rolling::on)
         {
             const double k = Rolling::rotationalStiffness(c + cR, overlap, b.buildUp);
             if (k > 0) square = std::min(square, 1/(k*invInertia));
+            result.rotational += 2*k;
+            result.rotationalDamping += Rolling::rotationalDamping(c + cR);
         }
-        return 2*M_PI*std::sqrt(square);
+        if constexpr (Twisting::on)
+        {
+            result.rotational += 2*Twisting::rotationalStiffness(c + cW, b.radius, b.buildUp);
+            result.rotationalDamping += Twisting::rotationalDamping(c + cW, b.radius, eta);
+        }
+        if (result.rotational > 0)
+        {
+            result.turnTime = 2*result.rotationalDamping/result.rotational;
+        }
+        result.period = 2*M_PI*std::sqrt(square);
+        return result;
     }
 
     bool evaluatePairs

@@ -78,6 +78,9 @@ struct bending
         return 0.5*(c[0] + buildUp)*c[4];
     }
 
+    //- Of the angular velocity [N m s]
+    static double rotationalDamping(const double* c) { return c[2]*c[4]; }
+
     //- B_max [N m] of a contact that has not been loaded before
     static double yield(const double* c) { return 0.5*c[0]*c[1]*std::sqrt(c[0]); }
 

@@ -104,6 +104,9 @@ struct springSlider
         return c[0]*c[5]*std::pow(growth, 0.75);
     }
 
+    //- Of the angular velocity [N m s]
+    static double rotationalDamping(const double* c) { return c[2]*c[5]; }
+
     //- 4 F_C xi_crit [N m]
     static double yield(const double* c) { return c[0]*c[1]; }
 
