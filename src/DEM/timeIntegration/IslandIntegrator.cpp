@@ -190,14 +190,15 @@ void IslandIntegrator::begin
     {
         e.R = p.radius;
         e.m = p.mass;
-        e.invInertia = 1/bi.I;
+        e.turning = 0.5*bi.r/bi.I;
     }
     else
     {
         const Particle& q = particles_[std::size_t(j)];
         e.R = p.radius*q.radius/(p.radius + q.radius);
         e.m = p.mass*q.mass/(p.mass + q.mass);
-        e.invInertia = 1/bi.I + 1/bodies_[std::size_t(j)].I;
+        const Body& bj = bodies_[std::size_t(j)];
+        e.turning = 0.5*(bi.r/bi.I + bj.r/bj.I);
         candidates_[std::size_t(candidate)].touching = true;
     }
     const int pairInLaw = materials_.pairInLaw(p.material, mj);
@@ -726,10 +727,10 @@ void IslandIntegrator::setFlight(double h)
         const GasLoad& g = gas_[k];
         const FlightFactors f(g.Sp*kicks_[k].invM, h);
         const Vec3 b = (g.Sp*g.Uc + g.Su)*kicks_[k].invM;
+        const FlightFactors spin(g.SpOmega*kicks_[k].invI, h);
         flight_[k] =
         {
-            f.e, f.p1, f.p2,
-            g.SpOmega > 0 ? std::exp(-g.SpOmega*kicks_[k].invI*h) : 1,
+            f.e, f.p1, f.p2, f.p2/h, spin.e, spin.p1 - spin.p2/h, spin.p2/h,
             {b[0], b[1], b[2]},
             {g.omegaC[0], g.omegaC[1], g.omegaC[2]}
         };
@@ -777,31 +778,40 @@ double IslandIntegrator::drift(double h)
         Body& b = bodies_[k];
         const Load& l = loads_[k];
         Kick& kick = kicks_[k];
-        const double push = 0.5*h*kick.invM, turn = 0.5*h*kick.invI;
         double square = 0;
-        for (int d = 0; d < 3; ++d)
+        if constexpr (gas)
         {
-            double v = b.v[d] + push*l.f[d];
-            double w = b.w[d] + turn*l.t[d];
-            square += v*v;
-            if constexpr (gas)
+            const Flight& f = flight_[k];
+            kick.push = f.late*kick.invM;
+            kick.turn = f.lateSpin*kick.invI;
+            for (int d = 0; d < 3; ++d)
             {
-                const Flight& f = flight_[k];
-                const double start = v;
-                b.x[d] += f.p1*v + f.p2*f.b[d];
-                v = f.e*v + f.p1*f.b[d];
-                impulse_[k][d] += b.m*(v - start);
-                square += std::max(v*v - start*start, 0.0);
-                w = f.omegaC[d] + f.eSpin*(w - f.omegaC[d]);
+                const double v = b.v[d], w = b.w[d];
+                const double a = l.f[d]*kick.invM, turn = l.t[d]*kick.invI;
+                b.x[d] += f.p1*v + f.p2*(f.b[d] + a);
+                kick.v[d] = f.e*v + f.p1*f.b[d] + (f.p1 - f.late)*a;
+                kick.w[d] = f.omegaC[d] + f.eSpin*(w - f.omegaC[d]) + f.earlySpin*turn;
+                impulse_[k][d] += b.m*(kick.v[d] - v) - 0.5*h*l.f[d];
+                b.v[d] = kick.v[d] + f.late*a;
+                b.w[d] = kick.w[d] + f.lateSpin*turn;
+                square += std::max(v*v, b.v[d]*b.v[d]);
             }
-            else
+        }
+        else
+        {
+            kick.push = 0.5*h*kick.invM;
+            kick.turn = 0.5*h*kick.invI;
+            for (int d = 0; d < 3; ++d)
             {
+                const double v = b.v[d] + kick.push*l.f[d];
+                const double w = b.w[d] + kick.turn*l.t[d];
+                square += v*v;
                 b.x[d] += h*v;
+                kick.v[d] = v;
+                kick.w[d] = w;
+                b.v[d] = v + kick.push*l.f[d];
+                b.w[d] = w + kick.turn*l.t[d];
             }
-            kick.v[d] = v;
-            kick.w[d] = w;
-            b.v[d] = v + push*l.f[d];
-            b.w[d] = w + turn*l.t[d];
         }
         fastest = std::max(fastest, square);
     }
@@ -828,11 +838,16 @@ void IslandIntegrator::step(double h, double next, StepReport& report)
         Body& b = bodies_[std::size_t(i)];
         const Load& l = loads_[std::size_t(i)];
         const Kick& kick = kicks_[std::size_t(i)];
-        const double push = 0.5*h*kick.invM, turn = 0.5*h*kick.invI;
         for (int d = 0; d < 3; ++d)
         {
-            b.v[d] = kick.v[d] + push*l.f[d];
-            b.w[d] = kick.w[d] + turn*l.t[d];
+            b.v[d] = kick.v[d] + kick.push*l.f[d];
+            b.w[d] = kick.w[d] + kick.turn*l.t[d];
+        }
+        if (!vacuum_)
+        {
+            // what the gas has taken of the second kick
+            Vec3& impulse = impulse_[std::size_t(i)];
+            for (int d = 0; d < 3; ++d) impulse[d] += (kick.push*b.m - 0.5*h)*l.f[d];
         }
     }
 }
@@ -939,7 +954,7 @@ double IslandIntegrator::contactStep(double time, StepReport& report)
                     (
                         materials_.pairInLaw(mi, e.materialJ),
                         {materials_.constants(mi, e.materialJ), e.R, e.m}, c, history,
-                        e.invInertia, list.overlap[k], at
+                        e.turning, list.overlap[k], at
                     );
                 };
                 ContactBound b = boundAt(speed);
@@ -962,8 +977,10 @@ double IslandIntegrator::contactStep(double time, StepReport& report)
                     Sums& s = sums_[std::size_t(p)];
                     s.stiffness += b.stiffness;
                     s.damping += b.damping;
-                    s.rotational += b.rotational;
-                    s.rotationalDamping += b.rotationalDamping;
+                    s.rolling += b.rolling;
+                    s.rollingDamping += b.rollingDamping;
+                    s.twisting += b.twisting;
+                    s.twistingDamping += b.twistingDamping;
                 }
             }
         }
@@ -985,22 +1002,26 @@ double IslandIntegrator::contactStep(double time, StepReport& report)
                     if (p < 0) continue;
                     const Sums& s = sums_[std::size_t(p)];
                     const Kick& kick = kicks_[std::size_t(p)];
+                    const double turns = bodies_[std::size_t(p)].r*kick.invI;
                     both.stiffness += s.stiffness*kick.invM;
                     both.damping += s.damping*kick.invM;
-                    both.rotational += s.rotational*kick.invI;
-                    both.rotationalDamping += s.rotationalDamping*kick.invI;
+                    both.twisting += s.twisting*kick.invI;
+                    both.twistingDamping += s.twistingDamping*kick.invI;
+                    most.rolling = std::max(most.rolling, s.rolling*turns);
+                    most.rollingDamping =
+                        std::max(most.rollingDamping, s.rollingDamping*turns);
                 }
                 most.stiffness = std::max(most.stiffness, both.stiffness);
                 most.damping = std::max(most.damping, both.damping);
-                most.rotational = std::max(most.rotational, both.rotational);
-                most.rotationalDamping =
-                    std::max(most.rotationalDamping, both.rotationalDamping);
+                most.twisting = std::max(most.twisting, both.twisting);
+                most.twistingDamping = std::max(most.twistingDamping, both.twistingDamping);
             }
         }
     }
     bound_ = stabilityBound
     (
-        most.stiffness + most.rotational, most.damping + most.rotationalDamping
+        most.stiffness + most.rolling + most.twisting,
+        most.damping + most.rollingDamping + most.twistingDamping
     );
     period_ = shortest;
     double h = shortest/time_.stepsPerContact;
@@ -1019,7 +1040,7 @@ double IslandIntegrator::contactStep(double time, StepReport& report)
     // what springs without a dashpot lack, see contactPeriod.hpp
     const double lacks = std::max
     ({
-        0.0, h*h*most.stiffness/8 - slipTime/h, h*h*most.rotational/8 - turnTime/h
+        0.0, h*h*most.stiffness/8 - slipTime/h, h*h*(most.rolling + most.twisting)/8 - turnTime/h
     });
     springLead_ = 0.5 - std::min(lacks, 0.5);
     return h;

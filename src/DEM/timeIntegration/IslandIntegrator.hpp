@@ -6,11 +6,12 @@
 // contact steps of h = T/stepsPerContact, T the shortest period of its contacts as they are
 // now, or shorter where stability asks for it (contactPeriod.hpp): many contacts on one light
 // particle, strong dashpots. One contact step, v_n -> v_n+1:
-//     v_h = v_n + (h/2) F_n/m              kick by contact forces
-//     x, v_h moved by the exact flight     drag, gravity
-//     F_n+1 from x_n+1 and the predictor v_h + (h/2) F_n/m
-//     v_n+1 = v_h + (h/2) F_n+1/m
-// which is of second order, damping included. Small islands end a step exactly where a
+//     x_n+1 = x_n + p1 v_n + p2 (b + F_n/m)              (freeFlight.hpp; b: gas, gravity)
+//     v_h = e v_n + p1 b + (p1 - p2/h) F_n/m
+//     F_n+1 from x_n+1 and the predictor v_h + (p2/h) F_n/m
+//     v_n+1 = v_h + (p2/h) F_n+1/m
+// i.e. exact in the drag for a contact force that changes linearly, at any tau_p/h; without
+// drag velocity Verlet (p1 = h, p2 = h^2/2). Of second order, damping included. Small islands end a step exactly where a
 // contact begins or ends, because the force jumps there.
 //
 // Rest: a particle falls asleep, and is then a fixed boundary for those awake, when for a
@@ -117,7 +118,7 @@ private:
         double pullOff;     // [N]
         double yield;       // rolling yield moment [N m], 0 = none
         double a0, R, m;
-        double invInertia;  // 1/I_i + 1/I_j [1/(kg m2)]
+        double turning;     // (r_i/I_i + r_j/I_j)/2 [1/(kg m)]
     };
 
     struct LawLists
@@ -135,20 +136,24 @@ private:
     struct Kick
     {
         double invM, invI;      // [1/kg], [1/(kg m2)]
-        double v[3], w[3];      // at half step
+        double push, turn;      // of the second kick [s/kg], [s/(kg m2)]
+        double v[3], w[3];      // before it
     };
 
     //- Flight over the current h, per particle
     struct Flight
     {
-        double e, p1, p2, eSpin;
+        double e, p1, p2, late;
+        double eSpin, earlySpin, lateSpin;
         double b[3], omegaC[3];
     };
 
     //- Of all contacts of one particle, see contactPeriod.hpp
     struct Sums
     {
-        double stiffness = 0, damping = 0, rotational = 0, rotationalDamping = 0;
+        double stiffness = 0, damping = 0;
+        double rolling = 0, rollingDamping = 0;
+        double twisting = 0, twistingDamping = 0;
     };
 
     // Contacts

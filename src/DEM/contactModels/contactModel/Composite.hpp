@@ -454,7 +454,7 @@ public:
     ContactBound bound
     (
         int pair, const ContactScale& s, const double* c, const double* history,
-        double invInertia, double overlap, double speed
+        double turning, double overlap, double speed
     ) const override
     {
         const ElasticBound b = Normal::bound
@@ -469,7 +469,7 @@ public:
         const double eta =
             Normal::template evaluate<double>(c, b.radius*b.radius/s.R, memory).damping;
         ContactBound result{0, b.radius, b.stiffness, eta};
-        (void)invInertia;
+        (void)turning;
         if constexpr (Tangential::on)
         {
             const double k = Tangential::stiffness(c + cT, b.radius);
@@ -481,19 +481,18 @@ public:
         }
         if constexpr (Rolling::on)
         {
-            const double k = Rolling::rotationalStiffness(c + cR, overlap, b.buildUp);
-            if (k > 0) square = std::min(square, 1/(k*invInertia));
-            result.rotational += 2*k;
-            result.rotationalDamping += Rolling::rotationalDamping(c + cR);
+            const double k = Rolling::stiffness(c + cR, overlap, b.buildUp);
+            if (k > 0) square = std::min(square, 1/(k*turning));
+            result.rolling = 2*k;
+            result.rollingDamping = Rolling::damping(c + cR);
+            if (k > 0) result.turnTime = result.rollingDamping/k;
         }
         if constexpr (Twisting::on)
         {
-            result.rotational += 2*Twisting::rotationalStiffness(c + cW, b.radius, b.buildUp);
-            result.rotationalDamping += Twisting::rotationalDamping(c + cW, b.radius, eta);
-        }
-        if (result.rotational > 0)
-        {
-            result.turnTime = 2*result.rotationalDamping/result.rotational;
+            const double k = Twisting::stiffness(c + cW, b.radius, b.buildUp);
+            result.twisting = 2*k;
+            result.twistingDamping = Twisting::damping(c + cW, b.radius, eta);
+            if (k > 0) result.turnTime = std::min(result.turnTime, result.twistingDamping/k);
         }
         result.period = 2*M_PI*std::sqrt(square);
         return result;

@@ -68,11 +68,11 @@ struct cappedSpring
     }
 
     //- K_phi [N m/rad], eta_Q [N m s]
-    static double rotationalStiffness(const double* c, double, double buildUp)
+    static double stiffness(const double* c, double, double buildUp)
     {
         return c[0]*(c[1] + buildUp);
     }
-    static double rotationalDamping(const double* c, double, double) { return c[3]; }
+    static double damping(const double* c, double, double) { return c[3]; }
 
     //- Share of xi that is kept where K_phi has grown: the moment stays
     template<class Real>

@@ -51,8 +51,8 @@ struct springDashpotSlider
     }
 
     //- k_Q [N m/rad] and eta_Q [N m s] at contact radius a
-    static double rotationalStiffness(const double* c, double a, double) { return c[0]*a*a*a; }
-    static double rotationalDamping(const double* c, double a, double etaN)
+    static double stiffness(const double* c, double a, double) { return c[0]*a*a*a; }
+    static double damping(const double* c, double a, double etaN)
     {
         return c[1]*etaN*a*a;
     }
