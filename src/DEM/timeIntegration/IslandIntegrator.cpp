@@ -967,7 +967,11 @@ double IslandIntegrator::contactStep(double time, StepReport& report)
                     b = boundAt(speed + gained);
                 }
 
-                if (speed > 0) path = std::min(path, mostPath*smaller/speed);
+                const double closing = looks*(speed + gained);
+                if (closing > 0)
+                {
+                    path = std::min(path, stepsBetweenLooks*mostPath*smaller/closing);
+                }
                 shortest = std::min(shortest, b.period);
                 slipTime = std::min(slipTime, b.slipTime);
                 turnTime = std::min(turnTime, b.turnTime);
