@@ -573,6 +573,14 @@ Case makeCase(std::uint64_t number)
     c.pieces = c.scene >= crowd ? 2 : 8;
     c.piece = (approach + duration)/c.pieces;
 
+    if (c.beneath)
+    {
+        // in one go: the steps of one run are equal and end with it, so with few of them they
+        // would be shorter than their share of the bound says
+        c.piece *= c.pieces;
+        c.pieces = 1;
+    }
+
     // Energy
     double energy = c.work;
     Vec3 momentum = Vec3::Zero();
