@@ -23,6 +23,7 @@
 #include "particles/errors.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace dem
 {
@@ -101,7 +102,7 @@ struct springSlider
     {
         const double growth =
             c[3] > 0 ? 1 + std::max(overlap, 0.0)*c[5]/(c[3]*c[3]) : 1;
-        return c[0]*std::pow(growth, 0.75);
+        return c[0]*std::sqrt(growth*std::sqrt(growth));
     }
 
     //- eta_R [N s]
