@@ -496,6 +496,11 @@ void printTable
     );
     printRow
     (
+        "stable below (alone)", "s", soft,
+        [&](const contactPair& p) { return p.figures(v).stableStep; }
+    );
+    printRow
+    (
         "overlap/d", "-", soft,
         [&](const contactPair& p)
         {

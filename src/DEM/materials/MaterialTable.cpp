@@ -254,10 +254,17 @@ ContactFigures MaterialTable::figures
     const ContactScale scale{p, f.R, f.m};
     double c[maxConstants];
     law.prepare(pair, scale, c);
-    const double invInertia =
-        2.5*(1/(mi*ri*ri) + (rj > 0 ? 1/(mj*rj*rj) : 0));
+    const double turning = 1.25*(1/(mi*ri) + (rj > 0 ? 1/(mj*rj) : 0));
     const double history[maxHistory] = {};
-    f.period = law.period(pair, scale, c, history, invInertia, 0, speed);
+    const ContactBound b = law.bound(pair, scale, c, history, turning, 0, speed);
+    f.period = b.period;
+    const double ii = 2.5/(mi*ri*ri), ij = rj > 0 ? 2.5/(mj*rj*rj) : 0;
+    f.stableStep = stabilityBound
+    (
+        b.stiffness/f.m + std::max(b.rolling*ri*ii, b.rolling*rj*ij) + b.twisting*(ii + ij),
+        b.damping/f.m + std::max(b.rollingDamping*ri*ii, b.rollingDamping*rj*ij)
+      + b.twistingDamping*(ii + ij)
+    );
     const Impact impact = law.impact(pair, scale, speed);
     f.impactOverlap = impact.overlap;
     f.impactTime = impact.time;

@@ -50,6 +50,7 @@ struct ContactFigures
     double a0, delta0, deltaC;  // equilibrium contact radius and overlap, neck length [m]
     double tabor;           // lambda_T of the real material [-]
     double period;          // shortest period at equilibrium or at impact speed v [s]
+    double stableStep;      // stability bound of the contact step, in this contact alone [s]
     double impactTime;      // contact time at v without adhesion and damping [s]
     double impactOverlap;   // peak overlap at v without adhesion and damping [m]
 };

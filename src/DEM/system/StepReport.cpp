@@ -23,6 +23,7 @@ void StepReport::add(const StepReport& o)
     maxOverlapOverDiameter =
         std::max(maxOverlapOverDiameter, o.maxOverlapOverDiameter);
     minStepsPerContact = std::min(minStepsPerContact, o.minStepsPerContact);
+    maxStepOverBound = std::max(maxStepOverBound, o.maxStepOverBound);
     energyRemovedByRest += o.energyRemovedByRest;
     energy.add(o.energy);
     secondsSearch += o.secondsSearch;

@@ -56,13 +56,24 @@ public:
         walls(Walls{}),
         integrator(std::make_unique<IslandIntegrator>(materials, time, walls, periodic))
     {
-        if (!(time.stepsPerContact >= 4))
+        if (!(time.stepsPerContact >= TimeSettings::fewestStepsPerContact))
         {
             throw inputError
             (
                 "timeIntegration/stepsPerContact",
                 "is " + std::to_string(time.stepsPerContact),
-                "at least 4 (the scheme is stable above pi)"
+                "at least "
+              + std::to_string(int(TimeSettings::fewestStepsPerContact))
+              + " (fewer do not resolve a collision; at pi and below the scheme is unstable)"
+            );
+        }
+        if (!(time.boundShare > 0 && time.boundShare <= 1))
+        {
+            throw inputError
+            (
+                "timeIntegration/boundShare",
+                "is " + std::to_string(time.boundShare),
+                "above 0, at most 1 (beyond the stability bound errors grow without limit)"
             );
         }
         if (!(time.restTolerance >= 0))

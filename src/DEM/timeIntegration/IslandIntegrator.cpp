@@ -36,6 +36,12 @@ constexpr double wakeForceChange = 0.1;
 constexpr double windowPeriods = 3;
 constexpr double rockingWindows = 30;
 
+// A stability bound below this share of the period of the contacts is not worth keeping to
+constexpr double leastBound = 1e-5;
+
+// Nothing passes through a particle unseen: the most that a pair closes in a step [radii]
+constexpr double mostPath = 0.05;
+
 // Old and new normals of one wall contact differ by less than 60 degrees
 constexpr double sameNormal = 0.5;
 
@@ -190,14 +196,15 @@ void IslandIntegrator::begin
     {
         e.R = p.radius;
         e.m = p.mass;
-        e.invInertia = bi.invI;
+        e.turning = 0.5*bi.r*bi.invI;
     }
     else
     {
         const Particle& q = particles_[std::size_t(j)];
         e.R = p.radius*q.radius/(p.radius + q.radius);
         e.m = p.mass*q.mass/(p.mass + q.mass);
-        e.invInertia = bi.invI + bodies_[std::size_t(j)].invI;
+        const Body& bj = bodies_[std::size_t(j)];
+        e.turning = 0.5*(bi.r*bi.invI + bj.r*bj.invI);
         candidates_[std::size_t(candidate)].touching = true;
     }
     const int pairInLaw = materials_.pairInLaw(p.material, mj);
@@ -358,13 +365,13 @@ bool IslandIntegrator::endMarked(StepReport& report)
                 }
                 if (wall)
                 {
-                    law.evaluateWalls(list, k, k + 1, bodies_.data(), loads_.data(), {0, -0.5*ahead_, 0}, -1);
+                    law.evaluateWalls(list, k, k + 1, bodies_.data(), loads_.data(), {0, -ahead_, 0}, -1);
                 }
                 else
                 {
                     law.evaluatePairs
                     (
-                        list, k, k + 1, bodies_.data(), loads_.data(), {0, -0.5*ahead_, 0}, -1, periodic_
+                        list, k, k + 1, bodies_.data(), loads_.data(), {0, -ahead_, 0}, -1, periodic_
                     );
                 }
                 const int partners[2] = {list.i[k], wall ? -1 : list.j[k]};
@@ -441,12 +448,12 @@ bool IslandIntegrator::form(StepReport& report)
             law.evaluatePairs
             (
                 lists_[l].pairs, before[l].pairs, lists_[l].pairs.size(),
-                bodies_.data(), loads_.data(), {0, 0, 0.5*ahead_}, 1, periodic_
+                bodies_.data(), loads_.data(), {0, 0, ahead_}, 1, periodic_
             );
             law.evaluateWalls
             (
                 lists_[l].walls, before[l].walls, lists_[l].walls.size(),
-                bodies_.data(), loads_.data(), {0, 0, 0.5*ahead_}, 1
+                bodies_.data(), loads_.data(), {0, 0, ahead_}, 1
             );
             if (!time_.energyLedger) continue;
             for (std::size_t k = before[l].pairs; k < lists_[l].pairs.size(); ++k)
@@ -638,7 +645,7 @@ double IslandIntegrator::gap(const Candidate& c, Vec3& n) const
     const Body& b = bodies_[std::size_t(c.j)];
     n = periodic_.nearest(vec(b.x) - vec(a.x));
     const double distance = n.norm();
-    n /= distance;
+    if (distance > 0) n /= distance;
     return distance - a.r - b.r - c.touch;
 }
 
@@ -796,10 +803,10 @@ void IslandIntegrator::setFlight(double h)
         const GasLoad& g = gas_[k];
         const FlightFactors f(g.Sp*bodies_[k].invM, h);
         const Vec3 b = (g.Sp*g.Uc + g.Su)*bodies_[k].invM;
+        const FlightFactors spin(g.SpOmega*bodies_[k].invI, h);
         flight_[k] =
         {
-            f.e, f.p1, f.p2,
-            g.SpOmega > 0 ? std::exp(-g.SpOmega*bodies_[k].invI*h) : 1,
+            f.e, f.p1, f.p2, f.p2/h, spin.e, spin.p1 - spin.p2/h, spin.p2/h,
             {b[0], b[1], b[2]},
             {g.omegaC[0], g.omegaC[1], g.omegaC[2]}
         };
@@ -842,8 +849,13 @@ bool IslandIntegrator::evaluate(const SpringStep& step, StepReport& report)
 template<bool gas>
 double IslandIntegrator::drift(double h)
 {
-    if constexpr (gas) setFlight(h);
+    if constexpr (gas)
+    {
+        complete();
+        setFlight(h);
+    }
     typedef double Quad __attribute__((vector_size(32), may_alias));
+    const auto at = [](double* p) -> Quad& { return *reinterpret_cast<Quad*>(p); };
     const double kick = 0.5*(owed_ + h), half = 0.5*h;
     double fastest = 0;
     for (const int i : awake_)
@@ -852,42 +864,54 @@ double IslandIntegrator::drift(double h)
         Body& b = bodies_[k];
         Load& l = loads_[k];
         Motion& m = motion_[k];
-        const auto at = [](double* p) -> Quad& { return *reinterpret_cast<Quad*>(p); };
-        const double invM = b.invM, invI = b.invI;
-        const Quad f = at(l.f), t = at(l.t);
-        Quad v = at(m.v) + kick*invM*f;
-        Quad w = at(m.w) + kick*invI*t;
-        double square = v[0]*v[0] + v[1]*v[1] + v[2]*v[2];
+        double square = 0;
         if constexpr (gas)
         {
-            const Flight& flight = flight_[k];
+            const Flight& f = flight_[k];
             for (int d = 0; d < 3; ++d)
             {
-                const double start = v[d];
-                b.x[d] += flight.p1*start + flight.p2*flight.b[d];
-                v[d] = flight.e*start + flight.p1*flight.b[d];
-                impulse_[k][d] += mass(k)*(v[d] - start);
-                square += std::max(v[d]*v[d] - start*start, 0.0);
-                w[d] = flight.omegaC[d] + flight.eSpin*(w[d] - flight.omegaC[d]);
+                const double v = b.v[d], w = b.w[d];
+                const double a = l.f[d]*b.invM, turn = l.t[d]*b.invI;
+                b.x[d] += f.p1*v + f.p2*(f.b[d] + a);
+                m.v[d] = f.e*v + f.p1*f.b[d] + (f.p1 - f.late)*a;
+                m.w[d] = f.omegaC[d] + f.eSpin*(w - f.omegaC[d]) + f.earlySpin*turn;
+                impulse_[k][d] += mass(k)*(m.v[d] - v) - 0.5*h*l.f[d];
+                b.v[d] = m.v[d] + f.late*a;
+                b.w[d] = m.w[d] + f.lateSpin*turn;
+                square += std::max(v*v, b.v[d]*b.v[d]);
             }
         }
         else
         {
+            const double invM = b.invM, invI = b.invI;
+            const Quad force = at(l.f), torque = at(l.t);
+            Quad v = at(m.v) + kick*invM*force;
+            Quad w = at(m.w) + kick*invI*torque;
+            square = v[0]*v[0] + v[1]*v[1] + v[2]*v[2];
             at(b.x) += h*v;
+            at(m.v) = v;
+            at(m.w) = w;
+            v += half*invM*force;
+            w += half*invI*torque;
+            v[3] = invM;
+            w[3] = invI;
+            at(b.v) = v;
+            at(b.w) = w;
         }
-        at(m.v) = v;
-        at(m.w) = w;
-        v += half*invM*f;
-        w += half*invI*t;
-        v[3] = invM;
-        w[3] = invI;
-        at(b.v) = v;
-        at(b.w) = w;
         l = Load{};
         fastest = std::max(fastest, square);
     }
     owed_ = 0;
     return fastest;
+}
+
+
+//- Of the second kick of a step of h, for which the flight is set
+IslandIntegrator::Push IslandIntegrator::pushOf(std::size_t k, double h) const
+{
+    const Body& b = bodies_[k];
+    if (vacuum_) return {0.5*h*b.invM, 0.5*h*b.invI};
+    return {flight_[k].late*b.invM, flight_[k].lateSpin*b.invI};
 }
 
 
@@ -901,12 +925,11 @@ void IslandIntegrator::foresee(double h)
         {
             const std::size_t k = std::size_t(i);
             Body& b = bodies_[k];
-            const double push = share*0.5*h*b.invM;
-            const double turn = share*0.5*h*b.invI;
+            const Push push = pushOf(k, h);
             for (int d = 0; d < 3; ++d)
             {
-                b.v[d] += push*(lastLoads_[k].f[d] - previousLoads_[k].f[d]);
-                b.w[d] += turn*(lastLoads_[k].t[d] - previousLoads_[k].t[d]);
+                b.v[d] += share*push.v*(lastLoads_[k].f[d] - previousLoads_[k].f[d]);
+                b.w[d] += share*push.w*(lastLoads_[k].t[d] - previousLoads_[k].t[d]);
             }
         }
     }
@@ -932,8 +955,9 @@ void IslandIntegrator::step(double h, double next, StepReport& report)
     if (2*moved_ > 0.5*skin_) refreshNear();
     else updateWalls();
     if (exactEvents_) foresee(h);
-    ended_ = evaluate({h, 0.5*h, 0.5*next}, report);
-    ahead_ = next;
+    const double ahead = springLead_*next;
+    ended_ = evaluate({h, h - ahead_, ahead}, report);
+    ahead_ = ahead;
     owed_ = h;
     if (time_.energyLedger)
     {
@@ -949,15 +973,19 @@ void IslandIntegrator::complete()
     if (owed_ == 0) return;
     for (const int i : awake_)
     {
-        Body& b = bodies_[std::size_t(i)];
-        const Load& l = loads_[std::size_t(i)];
-        Motion& m = motion_[std::size_t(i)];
-        const double push = 0.5*owed_*b.invM, turn = 0.5*owed_*b.invI;
+        const std::size_t k = std::size_t(i);
+        Body& b = bodies_[k];
+        const Load& l = loads_[k];
+        Motion& m = motion_[k];
+        const Push push = pushOf(k, owed_);
         for (int d = 0; d < 3; ++d)
         {
-            b.v[d] = m.v[d] += push*l.f[d];
-            b.w[d] = m.w[d] += turn*l.t[d];
+            b.v[d] = m.v[d] += push.v*l.f[d];
+            b.w[d] = m.w[d] += push.w*l.t[d];
         }
+        if (vacuum_) continue;
+        // what the gas has taken of the kick
+        for (int d = 0; d < 3; ++d) impulse_[k][d] += (push.v*mass(k) - 0.5*owed_)*l.f[d];
     }
     owed_ = 0;
 }
@@ -977,7 +1005,7 @@ ContactEnergy IslandIntegrator::energyOf
     std::size_t law, const ContactList& list, std::size_t k
 ) const
 {
-    return materials_.laws()[law]->energy(list, k, bodies_.data(), 0.5*ahead_, periodic_);
+    return materials_.laws()[law]->energy(list, k, bodies_.data(), ahead_, periodic_);
 }
 
 
@@ -1097,9 +1125,10 @@ void IslandIntegrator::closeLedger(double h, EnergyLedger& ledger)
 //- Let the springs be ahead for a coming step h; loads are unchanged
 void IslandIntegrator::prepareSprings(double h)
 {
-    if (h == ahead_) return;
+    const double ahead = springLead_*h;
+    if (ahead == ahead_) return;
     complete();
-    const SpringStep step{0, -0.5*ahead_, 0.5*h};
+    const SpringStep step{0, -ahead_, ahead};
     for (std::size_t l = 0; l < lists_.size(); ++l)
     {
         const ContactLaw& law = *materials_.laws()[l];
@@ -1115,16 +1144,30 @@ void IslandIntegrator::prepareSprings(double h)
             lists.walls, 0, lists.walls.size(), bodies_.data(), loads_.data(), step, 0
         );
     }
-    ahead_ = h;
+    ahead_ = ahead;
 }
 
 
-//- The contact step that the contacts need as they are now; watches them as well
+//- The acceleration of a particle as last evaluated [m/s2]
+Vec3 IslandIntegrator::acceleration(int i) const
+{
+    const std::size_t k = std::size_t(i);
+    if (rest_[k].resting) return Vec3::Zero();
+    const GasLoad& g = gas_[k];
+    return (vec(loads_[k].f) + g.Sp*(g.Uc - vec(bodies_[k].v)) + g.Su)*bodies_[k].invM;
+}
+
+
+//- The contact step that the contacts need as they are now and until the next look; watches
+//  them as well. See contactPeriod.hpp.
 double IslandIntegrator::contactStep(double time, StepReport& report)
 {
-    double shortest = 1e300;
+    const int looks = exactEvents_ ? stepsBetweenLooks : stepsBetweenLooksDense;
+    double shortest = 1e300, path = 1e300, slipTime = 1e30, turnTime = 1e30;
+    sums_.assign(particles_.size(), {});
     for (std::size_t l = 0; l < lists_.size(); ++l)
     {
+        const ContactLaw& law = *materials_.laws()[l];
         for (const bool wall : {false, true})
         {
             const ContactList& list = wall ? lists_[l].walls : lists_[l].pairs;
@@ -1134,19 +1177,18 @@ double IslandIntegrator::contactStep(double time, StepReport& report)
                 const Body& bi = bodies_[i];
                 const Entry& e = entries_[std::size_t(list.tag[k])];
 
-                double speed, smaller = bi.r;
-                if (wall)
-                {
-                    speed =
-                        bi.v[0]*list.nx[k] + bi.v[1]*list.ny[k] + bi.v[2]*list.nz[k];
-                }
+                double smaller = bi.r;
+                Vec3 n, v = vec(bi.v), a = acceleration(int(i));
+                if (wall) n = Vec3(list.nx[k], list.ny[k], list.nz[k]);
                 else
                 {
                     const Body& bj = bodies_[std::size_t(list.j[k])];
-                    const Vec3 n = periodic_.nearest(vec(bj.x) - vec(bi.x)).normalized();
-                    speed = (vec(bi.v) - vec(bj.v)).dot(n);
+                    n = periodic_.nearest(vec(bj.x) - vec(bi.x)).normalized();
+                    v -= vec(bj.v);
+                    a -= acceleration(list.j[k]);
                     smaller = std::min(smaller, bj.r);
                 }
+                const double speed = std::fabs(v.dot(n));
                 if (!std::isfinite(speed) || !std::isfinite(list.overlap[k]))
                 {
                     fail("is not finite", int(i), wall ? -1 : list.j[k], time);
@@ -1167,26 +1209,177 @@ double IslandIntegrator::contactStep(double time, StepReport& report)
 
                 const int mi = particles_[i].material;
                 double c[maxConstants];
-                for (std::size_t a = 0; a < list.constants.size(); ++a)
+                for (std::size_t m = 0; m < list.constants.size(); ++m)
                 {
-                    c[a] = list.constants[a][k];
+                    c[m] = list.constants[m][k];
                 }
                 double history[maxHistory];
-                for (std::size_t a = 0; a < list.history.size(); ++a)
+                for (std::size_t m = 0; m < list.history.size(); ++m)
                 {
-                    history[a] = list.history[a][k];
+                    history[m] = list.history[m][k];
                 }
-                const double period = materials_.laws()[l]->period
-                (
-                    materials_.pairInLaw(mi, e.materialJ),
-                    {materials_.constants(mi, e.materialJ), e.R, e.m}, c, history,
-                    e.invInertia, list.overlap[k], std::fabs(speed)
-                );
-                shortest = std::min(shortest, period);
+                const auto boundAt = [&](double at)
+                {
+                    return law.bound
+                    (
+                        materials_.pairInLaw(mi, e.materialJ),
+                        {materials_.constants(mi, e.materialJ), e.R, e.m}, c, history,
+                        e.turning, list.overlap[k], at
+                    );
+                };
+                ContactBound b = boundAt(speed);
+                // what presses may make it faster, and so stiffer, before the next look
+                const double gained =
+                    std::max(0.0, a.dot(n))*looks*b.period/time_.stepsPerContact;
+                const double depth = b.radius*b.radius/e.R;
+                if (e.m*gained*(gained + speed) > 0.01*b.stiffness*depth*depth)
+                {
+                    b = boundAt(speed + gained);
+                }
+
+                const double closing = looks*(speed + gained);
+                if (closing > 0)
+                {
+                    path = std::min(path, stepsBetweenLooks*mostPath*smaller/closing);
+                }
+                shortest = std::min(shortest, b.period);
+                slipTime = std::min(slipTime, b.slipTime);
+                turnTime = std::min(turnTime, b.turnTime);
+                for (const int p : {list.i[k], wall ? -1 : list.j[k]})
+                {
+                    if (p < 0) continue;
+                    Sums& s = sums_[std::size_t(p)];
+                    s.stiffness += b.stiffness;
+                    s.damping += b.damping;
+                    s.rolling += b.rolling;
+                    s.rollingDamping += b.rollingDamping;
+                    s.twisting += b.twisting;
+                    s.twistingDamping += b.twistingDamping;
+                }
             }
         }
     }
-    return shortest/time_.stepsPerContact;
+    if (shortest == 1e300) return shortest;
+
+    // No mode is faster than the fastest of these sums
+    Sums most;
+    for (const LawLists& l : lists_)
+    {
+        for (const bool wall : {false, true})
+        {
+            const ContactList& list = wall ? l.walls : l.pairs;
+            for (std::size_t k = 0; k < list.size(); ++k)
+            {
+                Sums both;
+                for (const int p : {list.i[k], wall ? -1 : list.j[k]})
+                {
+                    if (p < 0) continue;
+                    const Sums& s = sums_[std::size_t(p)];
+                    const Body& body = bodies_[std::size_t(p)];
+                    const double turns = bodies_[std::size_t(p)].r*body.invI;
+                    both.stiffness += s.stiffness*body.invM;
+                    both.damping += s.damping*body.invM;
+                    both.twisting += s.twisting*body.invI;
+                    both.twistingDamping += s.twistingDamping*body.invI;
+                    most.rolling = std::max(most.rolling, s.rolling*turns);
+                    most.rollingDamping =
+                        std::max(most.rollingDamping, s.rollingDamping*turns);
+                }
+                most.stiffness = std::max(most.stiffness, both.stiffness);
+                most.damping = std::max(most.damping, both.damping);
+                most.twisting = std::max(most.twisting, both.twisting);
+                most.twistingDamping = std::max(most.twistingDamping, both.twistingDamping);
+            }
+        }
+    }
+    bound_ = stabilityBound
+    (
+        most.stiffness + most.rolling + most.twisting,
+        most.damping + most.rollingDamping + most.twistingDamping
+    );
+    period_ = shortest;
+    double h = shortest/time_.stepsPerContact;
+    if (bound_ < leastBound*shortest)
+    {
+        const int i = awake_.empty() ? 0 : awake_[0];
+        std::ostringstream what;
+        what << "is in an island whose dashpots are stable below a step of " << bound_
+             << " s only, " << bound_/shortest
+             << " of a contact's period (rollingDamping, twistingDamping)";
+        fail(what.str(), i, -1, time);
+    }
+    h = std::min({h, time_.boundShare*bound_, path});
+    h = std::min(h, meetingStep(h, looks));
+
+    // what springs without a dashpot lack, see contactPeriod.hpp
+    const double lacks = std::max
+    ({
+        0.0, h*h*most.stiffness/8 - slipTime/h, h*h*(most.rolling + most.twisting)/8 - turnTime/h
+    });
+    springLead_ = 0.5 - std::min(lacks, 0.5);
+    return h;
+}
+
+
+//- h, or shorter where particles that do not touch yet would pass through each other, or
+//  meet within a dense island faster than its contacts so far allow
+double IslandIntegrator::meetingStep(double h, int looks) const
+{
+    double fastest = 0;
+    for (const int i : awake_)
+    {
+        fastest = std::max(fastest, vec(bodies_[std::size_t(i)].v).norm());
+    }
+    const double path = mostPath*smallest_;     // a quarter of the skin
+    if (exactEvents_ && fastest*h <= path) return h;
+
+    double shortest = h;
+    const double window = looks*h;
+    const auto meet = [&](double gap, double closing, double period)
+    {
+        if (closing*h > path) shortest = std::min(shortest, path/closing);
+        if (!exactEvents_ && gap < closing*window)
+        {
+            shortest = std::min(shortest, period/time_.stepsPerContact);
+        }
+    };
+    for (const Candidate& c : candidates_)
+    {
+        if (c.touching) continue;
+        const Body& a = bodies_[std::size_t(c.i)];
+        const Body& b = bodies_[std::size_t(c.j)];
+        const double closing = (vec(a.v) - vec(b.v)).norm();
+        if (closing*window <= 0) continue;
+        Vec3 n;
+        const double g = gap(c, n);
+        if (g > closing*window) continue;
+        const double period =
+            exactEvents_ ? 1e300
+          : materials_.figures
+            (
+                particles_[std::size_t(c.i)].material, particles_[std::size_t(c.j)].material,
+                a.r, b.r, 1/a.invM, 1/b.invM, closing
+            ).period;
+        meet(g, closing, period);
+    }
+    std::size_t first = 0;
+    for (std::size_t i = 0; i < particles_.size(); ++i)
+    {
+        const Body& b = bodies_[i];
+        const double speed = vec(b.v).norm();
+        if (surfaceEnd_[i] > first && speed*window > path)
+        {
+            for (std::size_t s = first; s < surfaceEnd_[i]; ++s)
+            {
+                const double range = b.r + reach_[i] + speed*window;
+                if (!wallSearch_.within(surfaces_[s], vec(b.x), range)) continue;
+                shortest = std::min(shortest, std::max(path/speed, 1e-3*h));
+                break;
+            }
+        }
+        first = surfaceEnd_[i];
+    }
+    return shortest;
 }
 
 
@@ -1808,8 +2001,8 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
             if (looked >= lookInterval)
             {
                 complete();
-                contactStep(time + t, report);      // only to watch
-                h = left/std::ceil(left/stiffest*(1 - 1e-12));
+                h = std::min(stiffest, contactStep(time + t, report));
+                h = left/std::ceil(left/h*(1 - 1e-12));
                 looked = 0;
             }
             now = left < 1.5*h ? left : h;
@@ -1856,7 +2049,14 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
             now = timeToTouch(false);
             if (now < 1e-6*smallest_/std::max({fastest_, speedBound, 1e-300}))
             {
-                if (nearTouch == 0) nearTouch = overshoot*stiffestStep(speedBound);
+                if (nearTouch == 0)
+                {
+                    nearTouch = overshoot*std::min
+                    (
+                        stiffestStep(speedBound),
+                        mostPath*smallest_/std::max(speedBound, 1e-300)
+                    );
+                }
                 now = std::max(now, nearTouch);
             }
             now = std::min(now, left);
@@ -1893,10 +2093,11 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
     // steps in the shortest contact, as taken
     if (anyContact())
     {
-        const double needed = contactStep(time + dt, report)*time_.stepsPerContact;
+        contactStep(time + dt, report);
         if (h > 0)
         {
-            report.minStepsPerContact = std::min(report.minStepsPerContact, needed/h);
+            report.minStepsPerContact = std::min(report.minStepsPerContact, period_/h);
+            report.maxStepOverBound = std::max(report.maxStepOverBound, h/bound_);
         }
     }
 

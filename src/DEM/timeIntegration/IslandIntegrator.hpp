@@ -4,20 +4,22 @@
 //
 // Without a contact the island flies in closed form to its next touch. With one it takes
 // contact steps of h = T/stepsPerContact, T the shortest period of its contacts as they are
-// now (contactPeriod.hpp). One contact step, v_n -> v_n+1:
-//     v_h = v_n + (h/2) F_n/m              kick by contact forces
-//     x, v_h moved by the exact flight     drag, gravity
-//     F_n+1 from x_n+1 and the predictor v_h + (h/2) F*/m,  F* = F_n
-//     v_n+1 = v_h + (h/2) F_n+1/m
-// which is of second order, damping included, where the force is smooth. Small islands keep
-// that order where it is not, and take
+// now, or shorter where stability asks for it (contactPeriod.hpp): many contacts on one light
+// particle, strong dashpots. One contact step, v_n -> v_n+1:
+//     x_n+1 = x_n + p1 v_n + p2 (b + F_n/m)              (freeFlight.hpp; b: gas, gravity)
+//     v_h = e v_n + p1 b + (p1 - p2/h) F_n/m
+//     F_n+1 from x_n+1 and the predictor v_h + (p2/h) F*/m,  F* = F_n
+//     v_n+1 = v_h + (p2/h) F_n+1/m
+// i.e. exact in the drag for a contact force that changes linearly, at any tau_p/h; without
+// drag velocity Verlet (p1 = h, p2 = h^2/2). Of second order, damping included, where the
+// force is smooth. Small islands keep that order where it is not, and take
 //   - F* = F_n + (F_n - F_n-1)/2: with F_n dashpots take too much, with the whole
 //     extrapolation as much too little;
 //   - steps that end where a contact begins or ends, because the force jumps there;
 //   - steps graded as h (t/tau)^(1/2), tau = T/16, where a force begins or ends with an
 //     infinite slope (dashpots with overlap^(1/4), the end of a neck): t is the time since
 //     overlap 0 or until the end, by the speed of now. The first of them is h^2/(4 tau).
-// Proof: tests/verification/DEM/{convergence,pslRebound}.cpp
+// Proof: tests/verification/DEM/{convergence,pslRebound}.cpp, tests/unit/DEM/stability.cpp
 //
 // Rest: a particle falls asleep, and is then a fixed boundary for those awake, when for a
 // whole window (3 normal periods) it has had
@@ -129,7 +131,7 @@ private:
         double pullOff;     // [N]
         RollingYield yield;
         double a0, R, m;
-        double invInertia;  // 1/I_i + 1/I_j [1/(kg m2)]
+        double turning;     // (r_i/I_i + r_j/I_j)/2 [1/(kg m)]
     };
 
     struct LawLists
@@ -150,11 +152,23 @@ private:
         double v[4], w[4];      // [m/s], [rad/s]
     };
 
+    //- What a force and a torque make of the second kick [s/kg], [s/(kg m2)]
+    struct Push { double v, w; };
+
     //- Flight over the current h, per particle
     struct Flight
     {
-        double e, p1, p2, eSpin;
+        double e, p1, p2, late;
+        double eSpin, earlySpin, lateSpin;
         double b[3], omegaC[3];
+    };
+
+    //- Of all contacts of one particle, see contactPeriod.hpp
+    struct Sums
+    {
+        double stiffness = 0, damping = 0;
+        double rolling = 0, rollingDamping = 0;
+        double twisting = 0, twistingDamping = 0;
     };
 
     // Contacts
@@ -189,6 +203,7 @@ private:
     void prepareSprings(double h);
     template<bool gas> double drift(double h);
     void complete();
+    Push pushOf(std::size_t k, double h) const;
     void setFlight(double h);
     bool evaluate(const SpringStep& step, StepReport& report);
     double mass(std::size_t i) const { return particles_[i].mass; }
@@ -197,6 +212,8 @@ private:
     void refreshNear();
     void findNearSurfaces(int i);
     double contactStep(double time, StepReport& report);
+    double meetingStep(double h, int looks) const;
+    Vec3 acceleration(int i) const;
     double stiffestStep(double speed) const;
     double timeToTouch(bool contact) const;
     double gradedStep(double h, double& end) const;
@@ -260,7 +277,11 @@ private:
     ContactList scratch_;
     std::vector<std::vector<double>> wallTouch_;    // [m], by material and patch
 
-    double ahead_ = 0;          // [s] step by half of which the springs are ahead
+    std::vector<Sums> sums_;
+    double period_ = 0;         // [s] shortest at the last look
+    double bound_ = 0;          // [s] stability bound of the step then
+    double springLead_ = 0.5;   // share of a step by which springs are ahead of the loads
+    double ahead_ = 0;          // [s] that is
     double owed_ = 0;           // [s] step of which the second kick is still to come
     bool ended_ = false;        // evaluate() has found contacts that end
     double contactStep_ = 0;    // [s] as it is now, 0 = not known

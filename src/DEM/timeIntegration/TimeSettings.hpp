@@ -6,6 +6,9 @@ namespace dem
 
 struct TimeSettings
 {
+    //- Below this a collision is not resolved: the error of a rebound passes 10 %
+    static constexpr double fewestStepsPerContact = 10;
+
     //- Contact steps in the shortest period of a contact (normal or tangential) [-]
     double stepsPerContact = 50;
 
@@ -18,6 +21,9 @@ struct TimeSettings
 
     //- Whether StepReport::energy is kept; costs about as much as the contact steps
     bool energyLedger = false;
+
+    //- Contact step at most this share of the stability bound (contactPeriod.hpp) [-]
+    double boundShare = 0.8;
 };
 
 }

@@ -129,9 +129,9 @@ void Foam::dustCloud::printMaterials() const
           : ""
         ).c_str() << nl << format
         (
-            "  %-16s %9s %10s %10s %9s %9s %9s %9s %9s %9s %9s",
+            "  %-16s %9s %10s %10s %9s %9s %9s %9s %9s %9s %9s %9s",
             "pair", "d_m", "F_C_N", "F_C_real", "W_J/m2", "a0_m", "delta0_m",
-            "deltaC_m", "lambda_T", "contact_s", "step_s"
+            "deltaC_m", "lambda_T", "contact_s", "step_s", "stable_s"
         ).c_str() << nl;
 
     string advice;
@@ -184,11 +184,12 @@ void Foam::dustCloud::printMaterials() const
                 Info<< format
                     (
                         "  %-16s %9.3g %10.3g %10.3g %9.3g %9.3g %9.3g %9.3g "
-                        "%9.3g %9.3g %9.3g",
+                        "%9.3g %9.3g %9.3g %9.3g",
                         pair.c_str(), diameter, f.pullOff, f.realPullOff,
                         2*table.constants(dust, i).realGamma, f.a0, f.delta0,
                         f.deltaC, f.tabor, f.impactTime,
-                        f.period/d.properties.time().stepsPerContact
+                        f.period/d.properties.time().stepsPerContact,
+                        f.stableStep
                     ).c_str() << nl;
 
                 overlap = max(overlap, f.impactOverlap/diameter);
@@ -369,8 +370,10 @@ void Foam::dustCloud::printPlan() const
         d.properties.time().islands
       ? format
         (
-            "contact steps only where there is contact, %.3g per period",
-            d.properties.time().stepsPerContact
+            "contact steps only where there is contact, %.3g per period, "
+            "at most %.2g of the stability bound",
+            d.properties.time().stepsPerContact,
+            d.properties.time().boundShare
         )
       : "all particles take the contact step of the stiffest contact"
     );
@@ -631,6 +634,7 @@ void Foam::dustCloud::summarise()
     dem::StepReport totals = d.totals;
     reduce(totals.maxOverlapOverDiameter, maxOp<scalar>());
     reduce(totals.minStepsPerContact, minOp<scalar>());
+    reduce(totals.maxStepOverBound, maxOp<scalar>());
     reduce(totals.energyRemovedByRest, sumOp<scalar>());
     const auto sum = [](const std::int64_t mine)
     {
@@ -771,13 +775,14 @@ void Foam::dustCloud::summarise()
             "contact updates %.3g\n"
             "    touches %.3g, separations %.3g, sleeps %.3g, wakes %.3g\n"
             "    largest overlap/d %.3g, fewest steps per contact period %s, "
-            "energy removed by rest %.3g J\n",
+            "largest step/stability bound %.3g, energy removed by rest %.3g J\n",
             d.particleSteps, freeFlights, contactSteps, contactUpdates,
             touches, separations, sleeps, wakes,
             totals.maxOverlapOverDiameter,
             totals.minStepsPerContact < 1e100
           ? format("%.3g", totals.minStepsPerContact).c_str()
           : "-",
+            totals.maxStepOverBound,
             totals.energyRemovedByRest
         ).c_str();
     if (keepsEnergyLedger())

@@ -468,14 +468,15 @@ void Foam::dustProperties::readTimeIntegration()
     time_.islands = dict.lookupOrDefault<Switch>("islands", true);
     time_.energyLedger = dict.lookupOrDefault<Switch>("energyLedger", false);
 
-    if (time_.stepsPerContact < 1)
+    const scalar fewest = dem::TimeSettings::fewestStepsPerContact;
+    if (!(time_.stepsPerContact >= fewest))
     {
         error
         (
             dict,
             "stepsPerContact",
             "is " + Foam::name(time_.stepsPerContact),
-            ">= 1; 34 is usual, 136 is fine"
+            ">= " + Foam::name(fewest) + "; 34 is usual, 136 is fine"
         );
     }
     if (time_.restTolerance < 0)

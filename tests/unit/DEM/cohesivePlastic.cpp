@@ -471,11 +471,11 @@ TEST(cohesivePlastic, nothingTraps)
             for (const double speed : {0.0, 1e-9, 100.0})
             {
                 const double history[dem::maxHistory] = {};
-                const double T = b.law().period
+                const double T = b.law().bound
                 (
                     b.table().pairInLaw(0, 1), {b.table().constants(0, 1), 1e-6, 1e-15},
                     b.constants(1e-6, -1).data(), history, 1e25, 0, speed
-                );
+                ).period;
                 EXPECT_TRUE(T > 0 && std::isfinite(T));
             }
             EXPECT_FALSE(std::fetestexcept(FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW));

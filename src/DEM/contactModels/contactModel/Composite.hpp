@@ -610,7 +610,8 @@ public:
         if constexpr (Rolling::on)
         {
             const double moment = Rolling::yield(c + cR);
-            const double k = Rolling::rotationalStiffness(c + cR, 0, 0);
+            const double R = c[cR + Rolling::nConstants - 1];
+            const double k = Rolling::stiffness(c + cR, 0, 0)*R;
             return {moment, k > 0 ? 0.5*moment*moment/k : 0};
         }
         else
@@ -778,10 +779,10 @@ public:
         return Normal::touchDistance(pairs_[std::size_t(pair)].n, c);
     }
 
-    double period
+    ContactBound bound
     (
         int pair, const ContactScale& s, const double* c, const double* history,
-        double invInertia, double overlap, double speed
+        double turning, double overlap, double speed
     ) const override
     {
         const ElasticBound b = Normal::bound
@@ -789,16 +790,40 @@ public:
             pairs_[std::size_t(pair)].n, s, overlap, speed, history
         );
         double square = s.m/b.stiffness;
+
+        // the dashpot at that radius
+        double memory[Normal::nHistory > 0 ? Normal::nHistory : 1];
+        std::copy(history, history + Normal::nHistory, memory);
+        const double eta =
+            Normal::template evaluate<double>(c, b.radius*b.radius/s.R, memory).damping;
+        ContactBound result{0, b.radius, b.stiffness, eta};
+        (void)turning;
         if constexpr (Tangential::on)
         {
-            square = std::min(square, 2.0/7.0*s.m/Tangential::stiffness(c + cT, b.radius));
+            const double k = Tangential::stiffness(c + cT, b.radius);
+            const double dash = Tangential::damping(c + cT, eta);
+            square = std::min(square, 2.0/7.0*s.m/k);
+            result.stiffness = std::max(result.stiffness, 7*k);
+            result.damping = std::max(eta, 3.5*dash);
+            result.slipTime = dash/k;
         }
         if constexpr (Rolling::on)
         {
-            const double k = Rolling::rotationalStiffness(c + cR, overlap, b.buildUp);
-            if (k > 0) square = std::min(square, 1/(k*invInertia));
+            const double k = Rolling::stiffness(c + cR, overlap, b.buildUp);
+            if (k > 0) square = std::min(square, 1/(k*turning));
+            result.rolling = 2*k;
+            result.rollingDamping = Rolling::damping(c + cR);
+            if (k > 0) result.turnTime = result.rollingDamping/k;
         }
-        return 2*M_PI*std::sqrt(square);
+        if constexpr (Twisting::on)
+        {
+            const double k = Twisting::stiffness(c + cW, b.radius, b.buildUp);
+            result.twisting = 2*k;
+            result.twistingDamping = Twisting::damping(c + cW, b.radius, eta);
+            if (k > 0) result.turnTime = std::min(result.turnTime, result.twistingDamping/k);
+        }
+        result.period = 2*M_PI*std::sqrt(square);
+        return result;
     }
 
     bool evaluatePairs

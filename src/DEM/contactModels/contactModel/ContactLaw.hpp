@@ -85,12 +85,12 @@ public:
     //- Contact begins at overlap = -touchDistance [m]: 0 but for laws that act at a distance
     virtual double touchDistance(int pair, const PairConstants& c) const = 0;
 
-    //- Shortest period [s] (timeIntegration/contactPeriod.hpp), at this overlap [m] and
-    //  normal speed [m/s]; invInertia = 1/I_i + 1/I_j [1/(kg m2)]
-    virtual double period
+    //- What the contact step is made of (timeIntegration/contactPeriod.hpp), at this overlap
+    //  [m] and normal speed [m/s]; turning = (r_i/I_i + r_j/I_j)/2 [1/(kg m)]
+    virtual ContactBound bound
     (
         int pair, const ContactScale& s, const double* constants, const double* history,
-        double invInertia, double overlap, double speed
+        double turning, double overlap, double speed
     ) const = 0;
 
     //- Add the loads of contacts [begin, end) to the bodies, times sign; springs move on as

@@ -72,11 +72,14 @@ struct bending
         c[4] = s.R;
     }
 
-    //- K_theta [N m/rad]
-    static double rotationalStiffness(const double* c, double, double buildUp)
+    //- K_theta/R [N]
+    static double stiffness(const double* c, double, double buildUp)
     {
-        return 0.5*(c[0] + buildUp)*c[4];
+        return 0.5*(c[0] + buildUp);
     }
+
+    //- eta_R [N s]
+    static double damping(const double* c) { return c[2]; }
 
     //- B_max [N m] of a contact that has not been loaded before
     static double yield(const double* c) { return 0.5*c[0]*c[1]*std::sqrt(c[0]); }

@@ -23,6 +23,7 @@
 #include "particles/errors.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace dem
 {
@@ -96,13 +97,16 @@ struct springSlider
         c[5] = s.R;
     }
 
-    //- 4 F_C R (a/a0)^(3/2) [N m/rad], a^2 = a0^2 + R delta
-    static double rotationalStiffness(const double* c, double overlap, double)
+    //- k_r = 4 F_C (a/a0)^(3/2) [N], a^2 = a0^2 + R delta
+    static double stiffness(const double* c, double overlap, double)
     {
         const double growth =
             c[3] > 0 ? 1 + std::max(overlap, 0.0)*c[5]/(c[3]*c[3]) : 1;
-        return c[0]*c[5]*std::pow(growth, 0.75);
+        return c[0]*std::sqrt(growth*std::sqrt(growth));
     }
+
+    //- eta_R [N s]
+    static double damping(const double* c) { return c[2]; }
 
     //- 4 F_C xi_crit [N m]
     static double yield(const double* c) { return c[0]*c[1]; }

@@ -58,6 +58,9 @@ struct springDashpotSlider
     //- k_T [N/m] at contact radius a; the spring's energy is k_T xi^2/2
     static double stiffness(const double* c, double a) { return c[0]*a; }
 
+    //- eta_T [N s/m] with the dashpot of the normal law
+    static double damping(const double* c, double etaN) { return c[1]*etaN; }
+
     //- Share of xi that is kept where k_T has grown: the force stays
     template<class Real>
     [[gnu::always_inline]] static Real kept(const Real*, const NormalResponse<Real>& normal)

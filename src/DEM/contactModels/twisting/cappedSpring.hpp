@@ -67,6 +67,13 @@ struct cappedSpring
         c[3] = p.damping;
     }
 
+    //- K_phi [N m/rad], eta_Q [N m s]
+    static double stiffness(const double* c, double, double buildUp)
+    {
+        return c[0]*(c[1] + buildUp);
+    }
+    static double damping(const double* c, double, double) { return c[3]; }
+
     //- Share of xi that is kept where K_phi has grown: the moment stays
     template<class Real>
     [[gnu::always_inline]] static Real kept(const Real* c, const NormalResponse<Real>& normal)

@@ -50,6 +50,13 @@ struct springDashpotSlider
         c[2] = 3*M_PI/16*r.radiusFactor;
     }
 
+    //- k_Q [N m/rad] and eta_Q [N m s] at contact radius a
+    static double stiffness(const double* c, double a, double) { return c[0]*a*a*a; }
+    static double damping(const double* c, double a, double etaN)
+    {
+        return c[1]*etaN*a*a;
+    }
+
     //- Share of xi that is kept where k_Q has grown: the moment stays
     template<class Real>
     [[gnu::always_inline]] static Real kept(const Real*, const NormalResponse<Real>& normal)
