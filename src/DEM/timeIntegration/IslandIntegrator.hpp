@@ -132,6 +132,11 @@ private:
         RollingYield yield;
         double a0, R, m;
         double turning;     // (r_i/I_i + r_j/I_j)/2 [1/(kg m)]
+
+        // In dense islands: its bound, which holds up to this overlap [m] and between these
+        // speeds [m/s]; boundSpeed < 0: not known
+        ContactBound bound;
+        double boundOverlap, boundSpeed, slowest;
     };
 
     struct LawLists
@@ -278,6 +283,7 @@ private:
     std::vector<std::vector<double>> wallTouch_;    // [m], by material and patch
 
     std::vector<Sums> sums_;
+    std::vector<Vec3> accelerations_;
     double period_ = 0;         // [s] shortest at the last look
     double bound_ = 0;          // [s] stability bound of the step then
     double springLead_ = 0.5;   // share of a step by which springs are ahead of the loads

@@ -32,7 +32,6 @@ struct Contact
             table.pairInLaw(0, 1), {table.constants(0, 1), r, l.mass(r)}, constants.data()
         );
         body.r = r;
-        body.m = l.mass(r);
     }
 
     double force(double overlap)
