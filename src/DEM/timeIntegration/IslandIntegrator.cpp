@@ -33,8 +33,12 @@ constexpr double windowPeriods = 3;
 // A stability bound below this share of the period of the contacts is not worth keeping to
 constexpr double leastBound = 1e-5;
 
-// Nothing passes through a particle unseen: the most that a pair closes in a step [radii]
+// Nothing passes through a particle unseen: the most that a pair that does not touch yet
+// closes in a step [radii]
 constexpr double mostPath = 0.05;
+
+// Contacts that can be so deep before the next look are watched at every step [radii]
+constexpr double deepOverlap = 0.85;
 
 // Old and new normals of one wall contact differ by less than 60 degrees
 constexpr double sameNormal = 0.5;
@@ -893,6 +897,7 @@ Vec3 IslandIntegrator::acceleration(int i) const
 double IslandIntegrator::contactStep(double time, StepReport& report)
 {
     const int looks = exactEvents_ ? stepsBetweenLooks : stepsBetweenLooksDense;
+    deep_ = false;
     double shortest = 1e300, path = 1e300, slipTime = 1e30, turnTime = 1e30;
     sums_.assign(particles_.size(), {});
     for (std::size_t l = 0; l < lists_.size(); ++l)
@@ -967,11 +972,13 @@ double IslandIntegrator::contactStep(double time, StepReport& report)
                     b = boundAt(speed + gained);
                 }
 
+                // no deeper than laws cover, unseen
                 const double closing = looks*(speed + gained);
-                if (closing > 0)
-                {
-                    path = std::min(path, stepsBetweenLooks*mostPath*smaller/closing);
-                }
+                if (closing > 0) path = std::min(path, 0.3*smaller/closing);
+                deep_ =
+                    deep_
+                 || list.overlap[k] + closing*b.period/time_.stepsPerContact
+                  > deepOverlap*smaller;
                 shortest = std::min(shortest, b.period);
                 slipTime = std::min(slipTime, b.slipTime);
                 turnTime = std::min(turnTime, b.turnTime);
@@ -1102,7 +1109,12 @@ double IslandIntegrator::meetingStep(double h, int looks) const
             for (std::size_t s = first; s < surfaceEnd_[i]; ++s)
             {
                 const double range = b.r + reach_[i] + speed*window;
-                if (!wallSearch_.within(surfaces_[s], vec(b.x), range)) continue;
+                // one within reach is watched step by step
+                if
+                (
+                    !wallSearch_.within(surfaces_[s], vec(b.x), range)
+                 || wallSearch_.within(surfaces_[s], vec(b.x), b.r + reach_[i] + 0.5*skin_)
+                ) continue;
                 shortest = std::min(shortest, std::max(path/speed, 1e-3*h));
                 break;
             }
@@ -1591,7 +1603,7 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
         wakeLoaded(report);
         bool event = endMarked(report);
         event = form(report) || event;
-        if (event && exactEvents_) looked = lookInterval;
+        if ((event && exactEvents_) || deep_) looked = lookInterval;
         if (looked >= lookInterval && sinceLook > 0)
         {
             checkRest(sinceLook, report);

@@ -236,6 +236,7 @@ private:
     double skin_ = 0;           // [m] how far beyond touch near_ looks
     double moved_ = 0;          // [m] path of the fastest since refreshNear()
     double fastest_ = 0;        // [m/s]
+    bool deep_ = false;         // an overlap comes near what laws cover
     double smallest_ = 0;       // [m] radius
     bool vacuum_ = false;       // no gas force on any particle
     bool exactEvents_ = true;   // end steps where contacts begin and end
