@@ -39,8 +39,12 @@ constexpr double rockingWindows = 30;
 // A stability bound below this share of the period of the contacts is not worth keeping to
 constexpr double leastBound = 1e-5;
 
-// Nothing passes through a particle unseen: the most that a pair closes in a step [radii]
+// Nothing passes through a particle unseen: the most that a pair that does not touch yet
+// closes in a step [radii]
 constexpr double mostPath = 0.05;
+
+// Contacts that can be so deep before the next look are watched at every step [radii]
+constexpr double deepOverlap = 0.85;
 
 // Old and new normals of one wall contact differ by less than 60 degrees
 constexpr double sameNormal = 0.5;
@@ -948,14 +952,15 @@ void IslandIntegrator::step(double h, double next, StepReport& report)
         complete();
         openLedger(h, report.energy);
     }
-    if (exactEvents_) lastLoads_ = loads_;
+    if (foresees(h)) lastLoads_ = loads_;
     const double fastest = vacuum_ ? drift<false>(h) : drift<true>(h);
     if (time_.energyLedger) report.energy.gas += kinetic(motion_);
     fastest_ = std::sqrt(fastest);
     moved_ += fastest_*h;
     if (2*moved_ > 0.5*skin_) refreshNear();
     else updateWalls();
-    if (exactEvents_) foresee(h);
+    if (foresees(h)) foresee(h);
+    else previousStep_ = 0;
     const double ahead = springLead_*next;
     ended_ = evaluate({h, h - ahead_, ahead}, report);
     ahead_ = ahead;
@@ -1164,6 +1169,7 @@ Vec3 IslandIntegrator::acceleration(int i) const
 double IslandIntegrator::contactStep(double time, StepReport& report)
 {
     const int looks = exactEvents_ ? stepsBetweenLooks : stepsBetweenLooksDense;
+    deep_ = false;
     double shortest = 1e300, path = 1e300, slipTime = 1e30, turnTime = 1e30;
     sums_.assign(particles_.size(), {});
     accelerations_.resize(particles_.size());
@@ -1272,11 +1278,13 @@ double IslandIntegrator::contactStep(double time, StepReport& report)
                     b = e.bound;
                 }
 
+                // no deeper than laws cover, unseen
                 const double closing = looks*(speed + gained);
-                if (closing > 0)
-                {
-                    path = std::min(path, stepsBetweenLooks*mostPath*smaller/closing);
-                }
+                if (closing > 0) path = std::min(path, 0.3*smaller/closing);
+                deep_ =
+                    deep_
+                 || list.overlap[k] + closing*b.period/time_.stepsPerContact
+                  > deepOverlap*smaller;
                 shortest = std::min(shortest, b.period);
                 slipTime = std::min(slipTime, b.slipTime);
                 turnTime = std::min(turnTime, b.turnTime);
@@ -1407,7 +1415,12 @@ double IslandIntegrator::meetingStep(double h, int looks) const
             for (std::size_t s = first; s < surfaceEnd_[i]; ++s)
             {
                 const double range = b.r + reach_[i] + speed*window;
-                if (!wallSearch_.within(surfaces_[s], vec(b.x), range)) continue;
+                // one within reach is watched step by step
+                if
+                (
+                    !wallSearch_.within(surfaces_[s], vec(b.x), range)
+                 || wallSearch_.within(surfaces_[s], vec(b.x), b.r + reach_[i] + 0.5*skin_)
+                ) continue;
                 shortest = std::min(shortest, std::max(path/speed, 1e-3*h));
                 break;
             }
@@ -1643,7 +1656,7 @@ void IslandIntegrator::checkRest(double elapsed, StepReport& report)
             (vec(loads_[k].f) + gas_[k].Sp*(gas_[k].Uc - v) + gas_[k].Su).norm(),
             vec(loads_[k].t).norm(), elapsed
         );
-        due = due || rest_[k].quietTime >= window;
+        due = due || (window > 0 && rest_[k].quietTime >= window);
     }
     if (!due) return;
     prepareSprings(0);
@@ -1652,7 +1665,9 @@ void IslandIntegrator::checkRest(double elapsed, StepReport& report)
     const auto quiet = [&](int i)
     {
         const RestState& rest = rest_[std::size_t(i)];
-        return !rest.resting && !flies_[std::size_t(i)] && rest.quietTime >= window;
+        return
+            !rest.resting && !flies_[std::size_t(i)]
+         && rest.quietTime > 0 && rest.quietTime >= window;
     };
     DisjointSets clusters(particles_.size());
     for (const LawLists& l : lists_)
@@ -2115,6 +2130,7 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
             previousStep_ = 0;
             if (exactEvents_) looked = lookInterval;
         }
+        if (deep_) looked = lookInterval;
         if (looked >= lookInterval && sinceLook > 0)
         {
             complete();

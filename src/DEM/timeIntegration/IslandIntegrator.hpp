@@ -193,6 +193,8 @@ private:
 
     // Stepping
     void step(double h, double next, StepReport& report);
+    //- Only well below the stability bound, which it lowers by up to 30 %
+    bool foresees(double h) const { return exactEvents_ && h < 0.5*bound_; }
     void foresee(double h);
 
     // Energy ledger
@@ -296,6 +298,7 @@ private:
     double skin_ = 0;           // [m] how far beyond touch near_ looks
     double moved_ = 0;          // [m] path of the fastest since refreshNear()
     double fastest_ = 0;        // [m/s]
+    bool deep_ = false;         // an overlap comes near what laws cover
     double smallest_ = 0;       // [m] radius
     bool vacuum_ = false;       // no gas force on any particle
     bool exactEvents_ = true;   // end steps where contacts begin and end

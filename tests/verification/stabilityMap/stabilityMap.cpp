@@ -24,7 +24,7 @@
 #include <iostream>
 #include <map>
 #include <sstream>
-#include <unistd.h>
+#include <sys/time.h>
 
 using dem::Vec3;
 
@@ -546,7 +546,7 @@ Case makeCase(std::uint64_t number)
         {
             const double k = m*9.81*v[gravityAxis]/d;
             duration = std::min(duration, 8*2*pi*std::sqrt(m/k));
-            c.work = m*9.81*v[gravityAxis]*(3*d + touch);
+            c.work = m*9.81*v[gravityAxis]*(3*d + touch + 2e-9*r);
         }
         else c.work = m*9.81*v[gravityAxis]*2*r;    // pressed through: refused
     }
@@ -777,7 +777,7 @@ private:
         auto& v = s.normal.values;
         if (v.count("restitution"))
         {
-            v["restitution"] = std::min(1.0, std::max(0.01, v["restitution"]*by));
+            v["restitution"] = std::min(1.0, std::max(0.01, v["restitution"]*(0.9 + 0.1*by)));
         }
         if (v.count("dampingCoefficient"))
         {
@@ -807,7 +807,13 @@ private:
 };
 
 bool verbose = false;
-constexpr unsigned longest = 60;    // [s] that one run of a case may take
+constexpr int longest = 60;         // CPU seconds that one run of a case may take
+
+void setLimit(int seconds)
+{
+    const itimerval limit{{0, 0}, {seconds, 0}};
+    setitimer(ITIMER_PROF, &limit, nullptr);
+}
 
 Course follow(const Case& c, double finer, double fast, int pieces, std::int64_t budget)
 {
@@ -818,14 +824,14 @@ Course follow(const Case& c, double finer, double fast, int pieces, std::int64_t
     course.end = c.particles;
     if (const int signal = sigsetjmp(trapped, 1))
     {
-        alarm(0);
+        setLimit(0);
         setTraps(false);
         course.trap = true;
         course.refused = signal == 1 ? "floating-point trap" : "does not end";
         return course;
     }
     setTraps(true);
-    alarm(longest);
+    setLimit(longest);
     try
     {
         Mover mover(c, time, fast);
@@ -866,7 +872,7 @@ Course follow(const Case& c, double finer, double fast, int pieces, std::int64_t
     }
     catch (const dem::inputError& e) { course.refused = e.what(); }
     catch (const dem::numericalError& e) { course.refused = e.what(); }
-    alarm(0);
+    setLimit(0);
     setTraps(false);
     return course;
 }
@@ -951,8 +957,16 @@ Judgement judge(const Case& c)
         // an unstable step may end so; a right answer must not be refused for that
         const Course fine = follow(c, 8, 1, c.pieces, 30*budget);
         // at the very limit of overlap one is refused and the other is not
-        const bool limit = fine.report.maxOverlapOverDiameter > nearLimit;
-        if (fine.refused.empty() && !fine.budget && !isBeyond && !limit)
+        bool limit = fine.report.maxOverlapOverDiameter > nearLimit;
+        const double nudge = 0.005 + 10.3/(N*N);
+        for (const double way : {1 - nudge, 1 + nudge, 1 - 0.3*nudge, 1 + 0.3*nudge})
+        {
+            if (limit || !fine.refused.empty()) break;
+            const Course near = follow(c, 8, way, c.pieces, 30*budget);
+            limit =
+                !near.refused.empty() || near.report.maxOverlapOverDiameter > nearLimit;
+        }
+        if (c.beneath && fine.refused.empty() && !fine.budget && !isBeyond && !limit)
         {
             // diverged within the bound
             return wrong("refused, finer is not: " + a.refused);
@@ -983,9 +997,11 @@ Judgement judge(const Case& c)
     const double periods = double(a.report.contactSteps)/N;
     const double growth = c.beneath ? 2.0 : 1 + 0.01 + 40/(N*N);
     double allowed = c.energyScale;
-    if (a.peak > growth*allowed && c.settings.rolling.model != "none" && !isBeyond)
+    const bool passive =
+        c.settings.rolling.model == "none" && c.settings.tangential.model == "none";
+    if (a.peak > growth*allowed && !passive && !isBeyond)
     {
-        // rolling between unequal spheres is not passive (README): then as the finer run
+        // rolling and sliding are not quite passive as laws (README): then as the finer run
         allowed = std::max(allowed, follow(c, 8, 1, a.pieces, 1000*budget).peak);
     }
     if (a.peak > growth*allowed)
@@ -997,7 +1013,10 @@ Judgement judge(const Case& c)
     // A finer integration over the same time
     const double finer = c.scene >= crowd ? 4 : 8;
     const Course b = follow(c, finer, 1, a.pieces, 1000*budget);
-    if (!b.refused.empty() && a.report.maxOverlapOverDiameter > nearLimit && !b.trap)
+    const bool limit =
+        a.report.maxOverlapOverDiameter > nearLimit
+     || b.refused.find("dashpots") != std::string::npos;
+    if (!b.refused.empty() && limit && !b.trap)
     {
         j.verdict = refused;
         j.why = b.refused;
@@ -1091,7 +1110,7 @@ Judgement judge(const Case& c)
 int main(int argc, char** argv)
 {
     std::signal(SIGFPE, onTrap);
-    std::signal(SIGALRM, onAlarm);
+    std::signal(SIGPROF, onAlarm);
     const std::string what = argc > 1 ? argv[1] : "";
     if (what == "case" && argc == 3)
     {
