@@ -360,7 +360,7 @@ Packing packing(const dem::System& system)
     for (std::size_t k = 0; k < system.size(); ++k)
     {
         // contacts of the packed state: rest state first; partner, wall, normal, history
-        constexpr std::size_t rest = 8, before = 5, each = before + dem::maxHistory;
+        constexpr std::size_t rest = 13, before = 5, each = before + dem::maxHistory;
         const auto state = system.packState(k);
         for (std::size_t c = rest; c < state.size(); c += each)
         {

@@ -10,6 +10,7 @@
 //
 // bed.xyz holds 2,000 spheres of radius 5 um in a cell of 28 radii (um), chi = 0.026.
 #include "DEM.hpp"
+#include "contactModels/contactModel/ContactLaw.hpp"
 
 #include <cmath>
 #include <cstdio>
@@ -18,6 +19,8 @@
 #include <fstream>
 #include <string>
 #include <vector>
+
+#include <sys/resource.h>
 
 namespace
 {
@@ -148,10 +151,16 @@ int main(int argc, char** argv)
     const std::clock_t start = std::clock();
     const dem::StepReport report = system.advance(steps*step);
     const double cpu = double(std::clock() - start)/CLOCKS_PER_SEC;
+    rusage usage;
+    getrusage(RUSAGE_SELF, &usage);
+    const dem::ContactLaw& law = *system.materials().laws()[0];
     std::printf
     (
-        "particles %zu contactUpdates %ld cpu_s %.4g updates_per_s %.5g\n",
-        system.size(), long(report.contactUpdates), cpu, report.contactUpdates/cpu
+        "particles %zu contactUpdates %ld cpu_s %.4g updates_per_s %.5g memory "
+        "peak %.0f B per particle; contact: %d constants, %d history values, %zu B in the kernel\n",
+        system.size(), long(report.contactUpdates), cpu, report.contactUpdates/cpu,
+        1024.0*double(usage.ru_maxrss)/double(system.size()),
+        law.nConstants(), law.nHistory(), 8*std::size_t(law.nConstants() + law.nHistory() + 1) + 13
     );
     return 0;
 }

@@ -214,7 +214,9 @@ void collisions()
     elastic.unloading = "initial";
     const double yield = 2*std::pow(pi*elastic.Y/elastic.E, 2)*r;
     const double v = 0.9*yield*std::sqrt(K/m);
-    close("restitution_below_yield", collide(elastic, r, -1, v, 200).restitution, 1, 1e-6);
+    // second order: graded steps lack the symmetry in time by which equal ones are exact here
+    close("restitution_below_yield", collide(elastic, r, -1, v, 200).restitution, 1, 1e-5);
+    close("restitution_below_yield_400", collide(elastic, r, -1, v, 400).restitution, 1, 2.5e-6);
 
     // order of convergence in the contact step: mean over speeds and phases, as the kinks
     // of the law fall anywhere in a step
