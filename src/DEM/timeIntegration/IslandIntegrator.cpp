@@ -24,6 +24,10 @@ constexpr int stepsBetweenLooksDense = 32;
 // worth a step of its own
 constexpr std::size_t denseIsland = 256;
 
+// Steps are graded, and loads foreseen, below this share of the stability bound: both are for
+// accuracy, and the bound is that of equal steps
+constexpr double refinedShare = 0.4;
+
 // Time over which steps grow to their full length, over the period of the contact
 constexpr double gradedShare = 1.0/16;
 
@@ -952,15 +956,14 @@ void IslandIntegrator::step(double h, double next, StepReport& report)
         complete();
         openLedger(h, report.energy);
     }
-    if (foresees(h)) lastLoads_ = loads_;
+    if (refined_) lastLoads_ = loads_;
     const double fastest = vacuum_ ? drift<false>(h) : drift<true>(h);
     if (time_.energyLedger) report.energy.gas += kinetic(motion_);
     fastest_ = std::sqrt(fastest);
     moved_ += fastest_*h;
     if (2*moved_ > 0.5*skin_) refreshNear();
     else updateWalls();
-    if (foresees(h)) foresee(h);
-    else previousStep_ = 0;
+    if (refined_) foresee(h);
     const double ahead = springLead_*next;
     ended_ = evaluate({h, h - ahead_, ahead}, report);
     ahead_ = ahead;
@@ -1576,13 +1579,18 @@ double IslandIntegrator::gradedStep(double h, double& end) const
                 const double t = std::fabs(inside/opening);
                 const double even = h*std::sqrt(t/tau);
                 const bool nears = inside*opening > 0;
+                // not shorter than places can tell
+                const double least =
+                    16*2.2e-16*vec(bi.x).lpNorm<Eigen::Infinity>()/std::fabs(opening);
                 graded = std::min
                 (
-                    graded, !nears ? even + first : t > first ? even - first : t + first
+                    graded,
+                    std::max(least, !nears ? even + first : t > first ? even - first : t + first)
                 );
             }
         }
     }
+    if (!refined_) graded = h;
     if (end >= graded) end = 1e300;
     return graded;
 }
@@ -1955,6 +1963,7 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
     bodies_.resize(n);
     motion_.assign(n, Motion{});
     ahead_ = owed_ = contactStep_ = window_ = 0;
+    refined_ = false;
     flies_.assign(n, 0);
     loads_.assign(n, Load{});
     awake_.clear();
@@ -2036,7 +2045,7 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
     const double stiffest = time_.islands ? 0 : stiffestStep(speedBound);
     const int lookInterval = exactEvents_ ? stepsBetweenLooks : stepsBetweenLooksDense;
     // an event is passed by at most this part of a step: its error is of second order too
-    const double overshoot = 0.05/time_.stepsPerContact;
+    const double overshoot = std::min(1e-3, 0.05/time_.stepsPerContact);
     previousStep_ = 0;
     double t = 0, h = 0, sinceLook = 0;
     int looked = lookInterval, shortened = 0;
@@ -2069,6 +2078,9 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
                 h = contactStep(time + t, report);
                 h = left/std::ceil(left/h*(1 - 1e-12));
                 contactStep_ = h;
+                const bool refined = exactEvents_ && h < refinedShare*bound_;
+                if (!refined || !refined_) previousStep_ = 0;
+                refined_ = refined;
                 if (skin_ > 4*200*fastest_*h && skin_ > 4e-3*smallest_) refreshNear();
                 looked = 0;
             }

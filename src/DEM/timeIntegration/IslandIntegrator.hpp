@@ -193,8 +193,6 @@ private:
 
     // Stepping
     void step(double h, double next, StepReport& report);
-    //- Only well below the stability bound, which it lowers by up to 30 %
-    bool foresees(double h) const { return exactEvents_ && h < 0.5*bound_; }
     void foresee(double h);
 
     // Energy ledger
@@ -301,6 +299,7 @@ private:
     bool deep_ = false;         // an overlap comes near what laws cover
     double smallest_ = 0;       // [m] radius
     bool vacuum_ = false;       // no gas force on any particle
+    bool refined_ = false;      // small islands well below the bound
     bool exactEvents_ = true;   // end steps where contacts begin and end
 };
 

@@ -24,7 +24,8 @@ constexpr double radius = 5e-6, density = 1000, cell = 28*radius;
 struct Scene
 {
     const char* name;
-    bool adhesion = true, sliding = true, rolling = true, twisting = true;
+    const char* normal = "JKR";
+    bool sliding = true, rolling = true, twisting = true;
     bool materials = false, sizes = false, gas = false, ledger = false;
 };
 
@@ -33,14 +34,13 @@ struct Cost { double ns; int constants, history; };
 Cost run(const Scene& scene, int nx, int ny, int steps)
 {
     dem::ContactSettings s;
-    s.normal = {"Hertz", {{"restitution", 0.7}}};
-    if (scene.adhesion) s.normal = {"JKR", {{"dampingCoefficient", 0.178}}};
+    s.normal = {scene.normal, {{"restitution", 0.7}}};
     if (scene.sliding) s.tangential = {"springDashpotSlider", {{"friction", 0.3}}};
     if (scene.rolling) s.rolling = {"springSlider", {{"criticalAngle", 0.0085}}};
     if (scene.twisting) s.twisting = {"springDashpotSlider", {}};
     dem::ReducedStiffness soft;
     soft.ratio = 0.026;
-    const double gamma = scene.adhesion ? 0.05 : 0;
+    const double gamma = 0.05;
     dem::TimeSettings time;
     time.restTolerance = 0;
     time.energyLedger = scene.ledger;
@@ -121,8 +121,8 @@ int main(int argc, char** argv)
     scenes[3].sliding = scenes[3].twisting = false;
     scenes[4].name = "normal_force_only";
     scenes[4].sliding = scenes[4].rolling = scenes[4].twisting = false;
-    scenes[5].name = "no_adhesion";
-    scenes[5].adhesion = scenes[5].rolling = false;
+    scenes[5].name = "DMT_instead_of_JKR";
+    scenes[5].normal = "DMT";
     scenes[6].name = "two_materials";
     scenes[6].materials = true;
     scenes[7].name = "many_sizes";

@@ -184,7 +184,7 @@ Outcome run(const Case& c, Partner partner)
     const double spin = random.logUniform(0.01, 3);
     const Vec3 slideWay = random.direction(), spinWay1 = random.direction();
     const Vec3 spinWay2 = random.direction();
-    const double steps = random.below(2) ? 50 : random.uniform(30, 200);
+    const double steps = random.below(2) ? 125 : random.uniform(30, 250);
 
     char text[300];
     std::snprintf
