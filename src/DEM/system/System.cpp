@@ -701,11 +701,12 @@ StepReport System::Implementation::advance(double dt)
     // fast as the fastest of its component, and hit others, until nobody is added
     const BoxGrid grid(boxes, periodic);
     DisjointSets sets(n);
-    grid.pairs([&](int i, int j)
+    const auto join = [&](int i, int j)
     {
         const std::size_t a = std::size_t(i), b = std::size_t(j);
         if (meet(paths[a], paths[b], dt)) sets.join(a, b);
-    });
+    };
+    grid.pairs(join);
     Labels labels;
     std::vector<std::size_t> widened;
     double widest = 0;
@@ -727,6 +728,11 @@ StepReport System::Implementation::advance(double dt)
             widened.push_back(i);
         }
         if (!communicator.any(!widened.empty())) break;
+        if (8*widened.size() > n)
+        {
+            BoxGrid(boxes, periodic).pairs(join);
+            continue;
+        }
         for (const std::size_t i : widened)
         {
             grid.overlapping(boxes[i], widest, [&](int j) { sets.join(i, std::size_t(j)); });

@@ -79,7 +79,7 @@ TEST(settling, nextToAnotherAsInTheOpen)
         const Vec3 v0(0.5, 0, -0.02);
         const dem::Particle start = sphere(law, 1, r, Vec3(0, 0, 30*r), v0);
         system.add(start);
-        system.add(sphere(law, 2, r, Vec3(2.1*r, 0, 30*r), v0));
+        system.add(sphere(law, 2, r, Vec3(2.002*r, 0, 30*r), v0));
         dem::GasLoad load;
         load.Sp = start.mass/tau;
         load.Su = start.mass*Vec3(0, 0, -9.81);
