@@ -7,7 +7,9 @@
 //   - particles that can meet form islands; each island flies to its next touch and takes
 //     contact steps of its own size only while it has a contact;
 //   - a particle in a deposit that has come to rest sleeps until what touches it loads it,
-//     or its gas load changes; islands in which all sleep take no steps.
+//     or its gas load changes; islands in which all sleep take no steps;
+//   - an aggregate that is at rest inside flies as one rigid body, until its load changes or
+//     something can meet it.
 // Islands that span ranks are moved by the rank that owns their lowest particle id, so the
 // result does not depend on the decomposition.
 //

@@ -374,13 +374,17 @@ bool IslandIntegrator::endMarked(StepReport& report)
                 }
                 if (wall)
                 {
-                    law.evaluateWalls(list, k, k + 1, bodies_.data(), loads_.data(), {0, -ahead_, 0}, -1);
+                    law.evaluateWalls
+                    (
+                        list, k, k + 1, bodies_.data(), loads_.data(), {0, -ahead_, 0}, -1
+                    );
                 }
                 else
                 {
                     law.evaluatePairs
                     (
-                        list, k, k + 1, bodies_.data(), loads_.data(), {0, -ahead_, 0}, -1, periodic_
+                        list, k, k + 1, bodies_.data(), loads_.data(), {0, -ahead_, 0}, -1,
+                        periodic_
                     );
                 }
                 const int partners[2] = {list.i[k], wall ? -1 : list.j[k]};

@@ -12,7 +12,8 @@
 //     v_n+1 = v_h + (p2/h) F_n+1/m
 // i.e. exact in the drag for a contact force that changes linearly, at any tau_p/h; without
 // drag velocity Verlet (p1 = h, p2 = h^2/2). Of second order, damping included, where the
-// force is smooth. Small islands keep that order where it is not, and take
+// force is smooth. Small islands, at steps well below the stability bound, keep that order
+// where it is not, and take
 //   - F* = F_n + (F_n - F_n-1)/2: with F_n dashpots take too much, with the whole
 //     extrapolation as much too little;
 //   - steps that end where a contact begins or ends, because the force jumps there;
@@ -28,8 +29,8 @@
 // times restTolerance, F_C and delta_C the weakest of its contacts as softened, and when it
 // holds on to a wall, directly or by particles at rest. (One that rocks, with less energy
 // than would let it roll, has no damping: it counts as quiet after 30 windows.) It wakes when
-// |force| > F_C/2 or |torque| > F_C r/2 times restTolerance, what its resting neighbours give to it included;
-// when a contact of it ends; or when the gas force on it has changed by
+// |force| > F_C/2 or |torque| > F_C r/2 times restTolerance, what its resting neighbours give
+// to it included; when a contact of it ends; or when the gas force on it has changed by
 // 0.1 min(F_C, M_y/r). Contacts between two that rest keep load and history. A cluster that
 // flies is judged by its motion beyond that of a rigid body of the same momentum and angular
 // momentum; at the end of the particle step it may become a RigidAggregate.
