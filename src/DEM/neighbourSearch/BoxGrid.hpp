@@ -26,6 +26,13 @@ struct Box
          && (o.low.array() <= high.array()).all();
     }
 
+    bool contains(const Box& o) const
+    {
+        return
+            (low.array() <= o.low.array()).all()
+         && (o.high.array() <= high.array()).all();
+    }
+
     void include(const Box& o)
     {
         low = low.cwiseMin(o.low);

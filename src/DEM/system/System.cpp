@@ -613,16 +613,14 @@ void System::Implementation::integrate
     IslandIntegrator& island = *integrator;
     island.clear();
 
-    std::vector<Box> boxes;
     std::vector<int> surfaces;
     std::unordered_map<std::int64_t, int> local;
     for (const Member& m : members)
     {
         const double half =
             m.p.radius + materials.reach(m.p.material, m.p.radius) + m.half;
-        boxes.push_back({m.p.x.array() - half, m.p.x.array() + half});
-        walls.query(boxes.back().low, boxes.back().high, surfaces);
-        local.emplace(m.p.id, int(boxes.size()) - 1);
+        walls.query(m.p.x.array() - half, m.p.x.array() + half, surfaces);
+        local.emplace(m.p.id, int(local.size()));
         RestState state = m.rest;
         if (state.aggregate >= 0)
         {
@@ -631,18 +629,9 @@ void System::Implementation::integrate
             state.aggregate = -1;
             ++report.wakes;
         }
-        island.addParticle(m.p, m.gas, state);
+        island.addParticle(m.p, m.gas, state, m.half);
         island.addSurfaces(surfaces);
     }
-
-    std::vector<std::pair<int, int>> pairs;
-    BoxGrid(boxes, periodic).pairs([&](int i, int j) { pairs.emplace_back(i, j); });
-    std::sort(pairs.begin(), pairs.end());
-    if (periodic.on())
-    {
-        pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-    }
-    for (const auto& p : pairs) island.addCandidate(p.first, p.second);
 
     for (std::size_t i = 0; i < members.size(); ++i)
     {

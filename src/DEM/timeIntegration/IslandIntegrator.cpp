@@ -50,6 +50,14 @@ constexpr double mostPath = 0.05;
 // Contacts that can be so deep before the next look are watched at every step [radii]
 constexpr double deepOverlap = 0.85;
 
+// Up to so many particles, all pairs are looked at for candidates
+constexpr std::size_t fewParticles = 8;
+
+// With more than so many, candidates are looked for close by, and again for those that get
+// farther from the path they have on their own than this [radii]
+constexpr std::size_t manyParticles = 32;
+constexpr double roaming = 0.3;
+
 // Old and new normals of one wall contact differ by less than 60 degrees
 constexpr double sameNormal = 0.5;
 
@@ -91,6 +99,7 @@ void IslandIntegrator::clear()
     impulse_.clear();
     reach_.clear();
     stored_.clear();
+    roam_.clear();
     candidates_.clear();
     surfaceEnd_.clear();
     surfaces_.clear();
@@ -118,10 +127,11 @@ void IslandIntegrator::clear()
 
 void IslandIntegrator::addParticle
 (
-    const Particle& p, const GasLoad& g, const RestState& rest
+    const Particle& p, const GasLoad& g, const RestState& rest, double half
 )
 {
     particles_.push_back(p);
+    roam_.push_back({half, true});
     gas_.push_back(g);
     rest_.push_back(rest);
     impulse_.push_back(Vec3::Zero());
@@ -135,14 +145,6 @@ void IslandIntegrator::addSurfaces(const std::vector<int>& surfaces)
 {
     surfaces_.insert(surfaces_.end(), surfaces.begin(), surfaces.end());
     surfaceEnd_.back() = surfaces_.size();
-}
-
-
-void IslandIntegrator::addCandidate(int i, int j)
-{
-    const int mi = particles_[std::size_t(i)].material;
-    const int mj = particles_[std::size_t(j)].material;
-    candidates_.push_back({i, j, false, materials_.touchDistance(mi, mj)});
 }
 
 
@@ -258,7 +260,7 @@ void IslandIntegrator::remove(ContactList& list, std::size_t k)
     if (candidate >= 0)
     {
         candidates_[std::size_t(candidate)].touching = false;
-        near_.push_back(candidate);
+        near_.push_back({candidate, path_});
     }
     freeEntries_.push_back(tag);
     list.swap(k, list.size() - 1);
@@ -294,18 +296,128 @@ void IslandIntegrator::store(const ContactList& list, std::size_t k, bool wall)
 }
 
 
-//- Candidates come sorted; a stored contact is always among them
+//- Who can touch whom within dt
+void IslandIntegrator::findCandidates(double dt)
+{
+    const std::size_t n = particles_.size();
+    const auto add = [this](int i, int j)
+    {
+        const int mi = particles_[std::size_t(i)].material;
+        const int mj = particles_[std::size_t(j)].material;
+        candidates_.push_back({i, j, false, materials_.touchDistance(mi, mj)});
+    };
+
+    const bool many = n > manyParticles;
+    boxes_.resize(n);
+    widest_ = 0;
+    for (std::size_t i = 0; i < n; ++i)
+    {
+        const Particle& p = particles_[i];
+        const double margin = roaming*p.radius;
+        Roam& roam = roam_[i];
+        Vec3 low = p.x, high = p.x;
+        roam.all = !many || roam.half <= margin;
+        if (!roam.all && !rest_[i].resting) flightBox(p, gas_[i], dt, low, high);
+        const double half = p.radius + reach_[i] + (roam.all ? roam.half : margin);
+        boxes_[i] = {low.array() - half, high.array() + half};
+        widest_ = std::max(widest_, 0.5*(boxes_[i].high - boxes_[i].low).maxCoeff());
+    }
+
+    grid_.reset();
+    if (n <= fewParticles)
+    {
+        for (std::size_t i = 0; i < n; ++i)
+        {
+            for (std::size_t j = i + 1; j < n; ++j)
+            {
+                // boxes have their particles in the middle
+                const Vec3 d = periodic_.nearest(particles_[j].x - particles_[i].x);
+                const Vec3 reach = 0.5*(boxes_[i].high - boxes_[i].low + boxes_[j].high - boxes_[j].low);
+                if ((d.cwiseAbs().array() <= reach.array()).all()) add(int(i), int(j));
+            }
+        }
+    }
+    else
+    {
+        grid_ = std::make_unique<BoxGrid>(boxes_, periodic_);
+        std::vector<std::vector<int>> partners(n);
+        grid_->pairs([&](int i, int j) { partners[std::size_t(i)].push_back(j); });
+        for (std::size_t i = 0; i < n; ++i)
+        {
+            std::vector<int>& of = partners[i];
+            std::sort(of.begin(), of.end());
+            if (periodic_.on()) of.erase(std::unique(of.begin(), of.end()), of.end());
+            for (const int j : of) add(int(i), j);
+        }
+    }
+    sorted_ = candidates_.size();
+    due_.assign(sorted_, 0);
+}
+
+
+//- Look for candidates of a particle that leaves its box: as far as it now flies in the time
+//  of a radius
+void IslandIntegrator::widen(int i)
+{
+    const std::size_t k = std::size_t(i);
+    const Body& b = bodies_[k];
+    const Vec3 x = vec(b.x), v = vec(b.v);
+    const double speed = v.norm();
+    const Vec3 end = x + (speed > 0 ? b.r/speed : 0)*v;
+    const double half = b.r + reach_[k] + roaming*b.r;
+    Box& box = boxes_[k];
+    box.include({x.cwiseMin(end).array() - half, x.cwiseMax(end).array() + half});
+    widest_ = std::max(widest_, 0.5*(box.high - box.low).maxCoeff());
+
+    static thread_local std::vector<int> known, found;
+    known.assign(1, i);
+    found.clear();
+    for (const Candidate& c : candidates_)
+    {
+        if (c.i == i) known.push_back(c.j);
+        if (c.j == i) known.push_back(c.i);
+    }
+    std::sort(known.begin(), known.end());
+    grid_->overlapping(box, widest_, [&](int j)
+    {
+        if (!std::binary_search(known.begin(), known.end(), j)) found.push_back(j);
+    });
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    for (const int j : found)
+    {
+        const int mi = particles_[k].material;
+        const int mj = particles_[std::size_t(j)].material;
+        candidates_.push_back
+        ({
+            std::min(i, j), std::max(i, j), false, materials_.touchDistance(mi, mj)
+        });
+        due_.push_back(0);
+    }
+}
+
+
+//- A stored contact is always among the candidates
 int IslandIntegrator::findCandidate(int i, int j) const
 {
-    const auto found = std::lower_bound
+    const auto end = candidates_.begin() + std::ptrdiff_t(sorted_);
+    auto found = std::lower_bound
     (
-        candidates_.begin(), candidates_.end(), Candidate{i, j, false, 0},
+        candidates_.begin(), end, Candidate{i, j, false, 0},
         [](const Candidate& a, const Candidate& b)
         {
             return a.i < b.i || (a.i == b.i && a.j < b.j);
         }
     );
-    if (found == candidates_.end() || found->i != i || found->j != j)
+    if (found == end || found->i != i || found->j != j)
+    {
+        found = std::find_if
+        (
+            end, candidates_.end(),
+            [&](const Candidate& c) { return c.i == i && c.j == j; }
+        );
+    }
+    if (found == candidates_.end())
     {
         fail("is farther than its law reaches", i, j, 0);
     }
@@ -353,7 +465,7 @@ bool IslandIntegrator::endMarked(StepReport& report)
 {
     if (!ended_) return false;
     ended_ = false;
-    complete();
+    if (exactEvents_) complete();
     bool any = false;
     std::vector<int> alone;     // at rest, with one contact less
     for (std::size_t l = 0; l < lists_.size(); ++l)
@@ -413,13 +525,18 @@ bool IslandIntegrator::form(StepReport& report)
     for (const LawLists& l : lists_) before.push_back({l.pairs.size(), l.walls.size()});
 
     bool any = false;
-    for (std::size_t k = 0; k < near_.size(); ++k)
+    for (Near& near : near_)
     {
-        const int c = near_[k];
-        const Candidate& pair = candidates_[std::size_t(c)];
-        if (pair.touching || !meets(pair)) continue;
-        complete();
-        begin(pair.i, pair.j, -1, c, nullptr);
+        if (near.due > path_) continue;
+        const Candidate& pair = candidates_[std::size_t(near.candidate)];
+        if (pair.touching) continue;
+        if (!meets(pair))
+        {
+            near.due = path_ + 0.5*gap(pair);
+            continue;
+        }
+        if (exactEvents_) complete();
+        begin(pair.i, pair.j, -1, near.candidate, nullptr);
         ++report.touches;
         any = true;
     }
@@ -434,7 +551,7 @@ bool IslandIntegrator::form(StepReport& report)
             {
                 continue;
             }
-            complete();
+            if (exactEvents_) complete();
             begin(i, -1, hits[k].patch, -1, nullptr);
             const int law = materials_.lawIndex
             (
@@ -524,7 +641,7 @@ void IslandIntegrator::wake(std::vector<int>& woken, StepReport& report)
         // with a partner that was awake before, it is there already
         const bool both = i && j;
         if (!both && !rest_[std::size_t(i ? k.j : k.i)].resting) continue;
-        if (meets(k, skin_)) near_.push_back(int(c));
+        if (comesNear(int(c))) near_.push_back({int(c), due_[c]});
     }
     for (const int i : woken) marked_[std::size_t(i)] = 0;
     findBoundary();
@@ -652,24 +769,32 @@ Load IslandIntegrator::storedLoad(int i)
 
 // * * * * * * * * * * * * * * * * * Geometry * * * * * * * * * * * * * * * * * * * * * //
 
-double IslandIntegrator::gap(const Candidate& c, Vec3& n) const
+double IslandIntegrator::gap(const Candidate& c) const
 {
     const Body& a = bodies_[std::size_t(c.i)];
     const Body& b = bodies_[std::size_t(c.j)];
-    n = periodic_.nearest(vec(b.x) - vec(a.x));
-    const double distance = n.norm();
-    if (distance > 0) n /= distance;
-    return distance - a.r - b.r - c.touch;
+    return periodic_.nearest(vec(b.x) - vec(a.x)).norm() - a.r - b.r - c.touch;
 }
 
 
-//- Whether the surfaces are within `margin` of where their contact begins
-bool IslandIntegrator::meets(const Candidate& c, double margin) const
+//- Whether the surfaces are where their contact begins
+bool IslandIntegrator::meets(const Candidate& c) const
 {
     const Body& a = bodies_[std::size_t(c.i)];
     const Body& b = bodies_[std::size_t(c.j)];
-    const double sum = a.r + b.r + c.touch + margin;
+    const double sum = a.r + b.r + c.touch;
     return periodic_.nearest(vec(b.x) - vec(a.x)).squaredNorm() <= sum*sum;
+}
+
+
+//- Whether a pair is within the skin. Two particles close no more than twice the path of the
+//  fastest, so most need not be looked at.
+bool IslandIntegrator::comesNear(int candidate)
+{
+    double& due = due_[std::size_t(candidate)];
+    const double horizon = path_ + 0.5*skin_;
+    if (due <= horizon) due = path_ + 0.5*gap(candidates_[std::size_t(candidate)]);
+    return due <= horizon;
 }
 
 
@@ -709,14 +834,25 @@ void IslandIntegrator::refreshNear()
     {
         skin_ = std::min(skin_, std::max(200*fastest_*contactStep_, 1e-3*smallest_));
     }
-    moved_ = 0;
+    refreshed_ = path_;
+    for (const int i : awake_)
+    {
+        const std::size_t k = std::size_t(i);
+        if (roam_[k].all) continue;
+        const Body& b = bodies_[k];
+        const double half = b.r + reach_[k] + 0.5*skin_;
+        const Vec3 x = vec(b.x);
+        const Box now{x.array() - half, x.array() + half};
+        if (!boxes_[k].contains(now)) widen(i);
+    }
     near_.clear();
     for (std::size_t c = 0; c < candidates_.size(); ++c)
     {
+        if (due_[c] > path_ + 0.5*skin_) continue;
         const Candidate& k = candidates_[c];
         if (k.touching) continue;
         if (rest_[std::size_t(k.i)].resting && rest_[std::size_t(k.j)].resting) continue;
-        if (meets(k, skin_)) near_.push_back(int(c));
+        if (comesNear(int(c))) near_.push_back({int(c), due_[c]});
     }
 
     nearWalls_.clear();
@@ -964,8 +1100,8 @@ void IslandIntegrator::step(double h, double next, StepReport& report)
     const double fastest = vacuum_ ? drift<false>(h) : drift<true>(h);
     if (time_.energyLedger) report.energy.gas += kinetic(motion_);
     fastest_ = std::sqrt(fastest);
-    moved_ += fastest_*h;
-    if (2*moved_ > 0.5*skin_) refreshNear();
+    path_ += fastest_*h;
+    if (2*(path_ - refreshed_) > 0.5*skin_) refreshNear();
     else updateWalls();
     if (refined_) foresee(h);
     const double ahead = springLead_*next;
@@ -1393,15 +1529,15 @@ double IslandIntegrator::meetingStep(double h, int looks) const
             shortest = std::min(shortest, period/time_.stepsPerContact);
         }
     };
-    for (const Candidate& c : candidates_)
+    for (std::size_t k = 0; k < candidates_.size(); ++k)
     {
-        if (c.touching) continue;
+        const Candidate& c = candidates_[k];
+        if (due_[k] - path_ > fastest*window || c.touching) continue;
         const Body& a = bodies_[std::size_t(c.i)];
         const Body& b = bodies_[std::size_t(c.j)];
         const double closing = (vec(a.v) - vec(b.v)).norm();
         if (closing*window <= 0) continue;
-        Vec3 n;
-        const double g = gap(c, n);
+        const double g = gap(c);
         if (g > closing*window) continue;
         const double period =
             exactEvents_ ? 1e300
@@ -1491,10 +1627,12 @@ double IslandIntegrator::timeToTouch(bool contact) const
             c.touching
          || (rest_[std::size_t(c.i)].resting && rest_[std::size_t(c.j)].resting)
         ) return;
-        Vec3 n;
-        const double g = gap(c, n);
-        const double closing =
-            (vec(bodies_[std::size_t(c.i)].v) - vec(bodies_[std::size_t(c.j)].v)).dot(n);
+        const Body& a = bodies_[std::size_t(c.i)];
+        const Body& b = bodies_[std::size_t(c.j)];
+        const Vec3 d = periodic_.nearest(vec(b.x) - vec(a.x));
+        const double distance = d.norm();
+        const double g = distance - a.r - b.r - c.touch;
+        const double closing = (vec(a.v) - vec(b.v)).dot(d)/std::max(distance, 1e-290);
         const double bound =
             contact ? 0 : accelerationBound(c.i) + accelerationBound(c.j);
         shortest = std::min(shortest, closingTime(g, closing, bound));
@@ -1502,7 +1640,7 @@ double IslandIntegrator::timeToTouch(bool contact) const
 
     if (contact)
     {
-        for (const int c : near_) pair(candidates_[std::size_t(c)]);
+        for (const Near& n : near_) pair(candidates_[std::size_t(n.candidate)]);
         for (const int i : nearWalls_)
         {
             const std::size_t k = std::size_t(i);
@@ -1762,9 +1900,9 @@ void IslandIntegrator::checkRest(double elapsed, StepReport& report)
         std::remove_if
         (
             near_.begin(), near_.end(),
-            [&](int c)
+            [&](const Near& n)
             {
-                const Candidate& k = candidates_[std::size_t(c)];
+                const Candidate& k = candidates_[std::size_t(n.candidate)];
                 return
                     k.touching
                  || (
@@ -1995,6 +2133,7 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
         if (!rest_[i].resting) awake_.push_back(int(i));
     }
 
+    findCandidates(dt);
     frozen_.resize(n);
     frozenKnown_.assign(n, 0);
     marked_.assign(n, 0);
@@ -2029,6 +2168,8 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
         );
     }
     fastest_ = speedBound;
+    exactEvents_ = candidates_.size() < denseIsland;
+    path_ = 0;
     refreshNear();
     woken_.clear();
     for (std::size_t i = 0; i < n; ++i)
@@ -2045,7 +2186,6 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
     endMarked(report);
     form(report);
 
-    exactEvents_ = candidates_.size() < denseIsland;
     const double stiffest = time_.islands ? 0 : stiffestStep(speedBound);
     const int lookInterval = exactEvents_ ? stepsBetweenLooks : stepsBetweenLooksDense;
     // an event is passed by at most this part of a step: its error is of second order too
@@ -2093,7 +2233,7 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
             {
                 double end;
                 now = std::min(now, gradedStep(h, end));
-                if (2*(moved_ + fastest_*now) > 0.5*skin_) refreshNear();
+                if (2*(path_ + fastest_*now - refreshed_) > 0.5*skin_) refreshNear();
                 const double event = std::min(timeToTouch(true), end);
                 if (event < now)
                 {

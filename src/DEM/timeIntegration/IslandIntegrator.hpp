@@ -37,6 +37,7 @@
 #pragma once
 
 #include "contacts/ContactRecord.hpp"
+#include "neighbourSearch/BoxGrid.hpp"
 #include "particles/GasLoad.hpp"
 #include "particles/Particle.hpp"
 #include "system/StepReport.hpp"
@@ -44,6 +45,7 @@
 #include "walls/WallSearch.hpp"
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -74,18 +76,18 @@ public:
         const Periodic& periodic
     );
 
-    // Loading, in this order: particles, their wall surfaces, candidates, contacts
+    // Loading, in this order: particles, their wall surfaces, contacts
 
         void clear();
 
-        //- Particles in order of id
-        void addParticle(const Particle& p, const GasLoad& g, const RestState& rest);
+        //- Particles in order of id. half: how far it can get in this step, if it is pushed [m]
+        void addParticle
+        (
+            const Particle& p, const GasLoad& g, const RestState& rest, double half = 1e30
+        );
 
         //- Surfaces that the last particle can reach in this step
         void addSurfaces(const std::vector<int>& surfaces);
-
-        //- Two particles (i < j) that can touch in this step, in order of i, then j
-        void addCandidate(int i, int j);
 
         //- A contact of particle i (with local particle j, or with a wall: j = -1)
         void addContact(int i, int j, const ContactRecord& record);
@@ -113,6 +115,20 @@ private:
         int i, j;
         bool touching;
         double touch;       // contact begins at this gap of the surfaces [m]
+    };
+
+    //- Where a particle may be until candidates are looked for again
+    struct Roam
+    {
+        double half;        // how far it can get at all [m]
+        bool all;           // its box holds all of that
+    };
+
+    //- A candidate within the skin, and the value of path_ up to which it need not be looked at
+    struct Near
+    {
+        int candidate;
+        double due;
     };
 
     //- A contact that is not in a list: of a sleeping cluster, or before and after run()
@@ -184,6 +200,8 @@ private:
     void store(const ContactList& list, std::size_t k, bool wall);
     bool endMarked(StepReport& report);
     bool form(StepReport& report);
+    void findCandidates(double dt);
+    void widen(int i);
     int findCandidate(int i, int j) const;
     void activateStored();
     void activateStored(std::size_t i);
@@ -232,8 +250,9 @@ private:
     void findFlying();
     template<class F> void forFlying(F&& f);
     void freezeFlying(StepReport& report);
-    double gap(const Candidate& c, Vec3& n) const;
-    bool meets(const Candidate& c, double margin = 0) const;
+    double gap(const Candidate& c) const;
+    bool meets(const Candidate& c) const;
+    bool comesNear(int candidate);
     double wallTouch(int i, int patch) const;
     double accelerationBound(int i) const;
     bool anyContact() const;
@@ -250,7 +269,12 @@ private:
     std::vector<Vec3> impulse_;
     std::vector<double> reach_;             // longest neck [m]
     std::vector<std::vector<Stored>> stored_;
-    std::vector<Candidate> candidates_;
+    std::vector<Roam> roam_;
+    std::vector<Box> boxes_;                // that the particles stay within, surfaces included
+    std::unique_ptr<BoxGrid> grid_;         // of boxes_; none for few particles
+    double widest_ = 0;                     // [m] half width of the largest box
+    std::vector<Candidate> candidates_;     // two that can touch, i < j
+    std::size_t sorted_ = 0;                // so many of them by i, then j
     std::vector<std::size_t> surfaceEnd_;   // of each particle in surfaces_
     std::vector<int> surfaces_;
 
@@ -265,7 +289,8 @@ private:
     std::vector<Entry> entries_;
     std::vector<int> freeEntries_;
     std::vector<ContactEnergy> energies_;   // by tag, before the step
-    std::vector<int> near_;                 // candidates within the skin
+    std::vector<double> due_;               // by candidate: no touch before path_ is that [m]
+    std::vector<Near> near_;                // candidates within the skin
     std::vector<std::vector<int>> nearSurfaces_;
     std::vector<int> nearWalls_;            // awake, with near surfaces
     std::vector<std::vector<WallHit>> hits_;
@@ -295,7 +320,8 @@ private:
     double previousStep_ = 0;   // [s] from previousLoads_ to loads_; 0 = there are none
     double flightStep_ = -1;    // h that flight_ is made for
     double skin_ = 0;           // [m] how far beyond touch near_ looks
-    double moved_ = 0;          // [m] path of the fastest since refreshNear()
+    double path_ = 0;           // [m] that the fastest at each time has made since run()
+    double refreshed_ = 0;      // [m] path_ at refreshNear()
     double fastest_ = 0;        // [m/s]
     bool deep_ = false;         // an overlap comes near what laws cover
     double smallest_ = 0;       // [m] radius

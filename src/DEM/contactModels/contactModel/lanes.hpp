@@ -56,6 +56,35 @@ template<class Real>
     {
         return {{from[0][0], from[0][1], from[0][2]}, from[0][3]};
     }
+#if defined(__AVX512F__)
+    else if constexpr (packWidth == 8)
+    {
+        // rows l and l + 4 side by side, then two transposes of four by four
+        __m512d row[4];
+        for (int l = 0; l < 4; ++l)
+        {
+            row[l] = _mm512_insertf64x4
+            (
+                _mm512_castpd256_pd512(_mm256_load_pd(from[l])), _mm256_load_pd(from[l + 4]), 1
+            );
+        }
+        const __m512d xz0 = _mm512_unpacklo_pd(row[0], row[1]);
+        const __m512d yw0 = _mm512_unpackhi_pd(row[0], row[1]);
+        const __m512d xz2 = _mm512_unpacklo_pd(row[2], row[3]);
+        const __m512d yw2 = _mm512_unpackhi_pd(row[2], row[3]);
+        const __m512i low = _mm512_setr_epi64(0, 1, 8, 9, 4, 5, 12, 13);
+        const __m512i high = _mm512_setr_epi64(2, 3, 10, 11, 6, 7, 14, 15);
+        return
+        {
+            {
+                Real(_mm512_permutex2var_pd(xz0, low, xz2)),
+                Real(_mm512_permutex2var_pd(yw0, low, yw2)),
+                Real(_mm512_permutex2var_pd(xz0, high, xz2))
+            },
+            Real(_mm512_permutex2var_pd(yw0, high, yw2))
+        };
+    }
+#endif
 #if defined(__AVX2__)
     else if constexpr (packWidth == 4)
     {
@@ -98,6 +127,32 @@ template<class Real, int sign = 1>
     Load* loads, const int* index, double (Load::*member)[4], const V3<Real>& v
 )
 {
+#if defined(__AVX512F__)
+    if constexpr (!std::is_same_v<Real, double> && packWidth == 8)
+    {
+        const __m512d x = static_cast<__m512d>(v.x), y = static_cast<__m512d>(v.y);
+        const __m512d z = static_cast<__m512d>(v.z), w = _mm512_setzero_pd();
+        const __m512d xy0 = _mm512_unpacklo_pd(x, y), xy1 = _mm512_unpackhi_pd(x, y);
+        const __m512d zw0 = _mm512_unpacklo_pd(z, w), zw1 = _mm512_unpackhi_pd(z, w);
+        const __m512i low = _mm512_setr_epi64(0, 1, 8, 9, 4, 5, 12, 13);
+        const __m512i high = _mm512_setr_epi64(2, 3, 10, 11, 6, 7, 14, 15);
+        const __m512d row[4] =
+        {
+            _mm512_permutex2var_pd(xy0, low, zw0), _mm512_permutex2var_pd(xy1, low, zw1),
+            _mm512_permutex2var_pd(xy0, high, zw0), _mm512_permutex2var_pd(xy1, high, zw1)
+        };
+        for (int l = 0; l < 8; ++l)
+        {
+            double* to = (loads + index[l])->*member;
+            const __m256d old = _mm256_load_pd(to);
+            const __m256d add =
+                l < 4 ? _mm512_castpd512_pd256(row[l]) : _mm512_extractf64x4_pd(row[l - 4], 1);
+            _mm256_store_pd(to, sign > 0 ? _mm256_add_pd(old, add) : _mm256_sub_pd(old, add));
+        }
+        return;
+    }
+    else
+#endif
 #if defined(__AVX2__)
     if constexpr (!std::is_same_v<Real, double> && packWidth == 4)
     {
