@@ -27,7 +27,7 @@ struct SpringStep
 };
 
 //- Force [N] and torque [N m] on a particle; the fourth components are zero
-struct alignas(32) Load
+struct alignas(64) Load
 {
     double f[4];
     double t[4];

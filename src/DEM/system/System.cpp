@@ -697,7 +697,7 @@ StepReport System::Implementation::advance(double dt)
     };
     grid.pairs(join);
     Labels labels;
-    std::vector<std::size_t> widened;
+    std::vector<std::size_t> widened, others;
     double widest = 0;
     for (const Box& b : boxes) widest = std::max(widest, 0.5*(b.high - b.low).maxCoeff());
     for (;;)
@@ -717,14 +717,16 @@ StepReport System::Implementation::advance(double dt)
             widened.push_back(i);
         }
         if (!communicator.any(!widened.empty())) break;
-        if (8*widened.size() > n)
+        // every pair that is not together yet has a partner outside the largest component
+        const std::size_t largest = sets.largest();
+        others.clear();
+        for (std::size_t i = 0; i < n; ++i)
         {
-            BoxGrid(boxes, periodic).pairs(join);
-            continue;
+            if (sets.find(i) != largest) others.push_back(i);
         }
-        for (const std::size_t i : widened)
+        for (const std::size_t i : widened.size() < others.size() ? widened : others)
         {
-            grid.overlapping(boxes[i], widest, [&](int j) { sets.join(i, std::size_t(j)); });
+            grid.overlapping(boxes[i], widest, [&](int j) { join(int(i), j); });
         }
     }
 

@@ -18,7 +18,7 @@ namespace
 
 // Contact steps between two looks at the contact step and at rest
 constexpr int stepsBetweenLooks = 4;
-constexpr int stepsBetweenLooksDense = 32;
+constexpr int stepsBetweenLooksDense = 64;
 
 // Above this many candidates and contacts an island is dense: a single event is no longer
 // worth a step of its own
@@ -1003,8 +1003,10 @@ double IslandIntegrator::drift(double h)
         complete();
         setFlight(h);
     }
+    // velocity and spin side by side, as Load, Motion and Body have them
     typedef double Quad __attribute__((vector_size(32), may_alias));
-    const auto at = [](double* p) -> Quad& { return *reinterpret_cast<Quad*>(p); };
+    typedef double Octet __attribute__((vector_size(64), may_alias));
+    typedef double LooseOctet __attribute__((vector_size(64), may_alias, aligned(32)));
     const double kick = 0.5*(owed_ + h), half = 0.5*h;
     double fastest = 0;
     for (const int i : awake_)
@@ -1032,20 +1034,16 @@ double IslandIntegrator::drift(double h)
         }
         else
         {
-            const double invM = b.invM, invI = b.invI;
-            const Quad force = at(l.f), torque = at(l.t);
-            Quad v = at(m.v) + kick*invM*force;
-            Quad w = at(m.w) + kick*invI*torque;
+            Octet moving = reinterpret_cast<Octet&>(m);
+            const Octet perLoad = __builtin_shufflevector(moving, moving, 3, 3, 3, 3, 7, 7, 7, 7);
+            const Octet change = perLoad*reinterpret_cast<Octet&>(l);   // fourths are zero
+            moving += kick*change;
+            reinterpret_cast<Octet&>(m) = moving;
+            reinterpret_cast<LooseOctet&>(b.v) = moving + half*change;
+            Quad v = __builtin_shufflevector(moving, moving, 0, 1, 2, 3);
+            v[3] = 0;
+            reinterpret_cast<Quad&>(b.x) += h*v;
             square = v[0]*v[0] + v[1]*v[1] + v[2]*v[2];
-            at(b.x) += h*v;
-            at(m.v) = v;
-            at(m.w) = w;
-            v += half*invM*force;
-            w += half*invI*torque;
-            v[3] = invM;
-            w[3] = invI;
-            at(b.v) = v;
-            at(b.w) = w;
         }
         l = Load{};
         fastest = std::max(fastest, square);
@@ -1863,7 +1861,8 @@ void IslandIntegrator::checkRest(double elapsed, StepReport& report)
             report.energy.rest += energy;
         }
         for (int d = 0; d < 3; ++d) b.v[d] = b.w[d] = 0;
-        motion_[k] = {};
+        for (double& v : motion_[k].v) v = 0;
+        for (double& w : motion_[k].w) w = 0;
         RestState& rest = rest_[k];
         rest.resting = true;
         const Vec3 gasForce = gasForceAtRest(gas_[k]);
@@ -2127,8 +2126,8 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
             b.w[d] = motion_[i].w[d] = p.omega[d];
         }
         b.r = p.radius;
-        b.invM = 1/p.mass;
-        b.invI = 1/inertia(i);
+        b.invM = motion_[i].invM = 1/p.mass;
+        b.invI = motion_[i].invI = 1/inertia(i);
         smallest_ = std::min(smallest_, p.radius);
         if (!rest_[i].resting) awake_.push_back(int(i));
     }
@@ -2219,8 +2218,11 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
             {
                 // equal steps up to the end of the particle step
                 complete();
-                h = contactStep(time + t, report);
-                h = left/std::ceil(left/h*(1 - 1e-12));
+                const double allowed = contactStep(time + t, report);
+                if (exactEvents_ || !(h <= allowed && allowed < 1.05*h))
+                {
+                    h = left/std::ceil(left/allowed*(1 - 1e-12));
+                }
                 contactStep_ = h;
                 const bool refined = exactEvents_ && h < refinedShare*bound_;
                 if (!refined || !refined_) previousStep_ = 0;

@@ -168,10 +168,11 @@ private:
         RollingYield yield;
     };
 
-    //- Velocities before the kick that still is to come (complete()); fourth components zero
-    struct alignas(32) Motion
+    //- Velocities before the kick that still is to come (complete()); otherwise as in Body
+    struct alignas(64) Motion
     {
-        double v[4], w[4];      // [m/s], [rad/s]
+        double v[3], invM;      // [m/s], [1/kg]
+        double w[3], invI;      // [rad/s], [1/(kg m2)]
     };
 
     //- What a force and a torque make of the second kick [s/kg], [s/(kg m2)]

@@ -58,7 +58,6 @@ double growth
         island.clear();
         const int n = int(particles.size());
         for (int i = 0; i < n; ++i) island.addParticle(particles[std::size_t(i)], {}, {});
-        for (int i = 0; i < n; ++i) for (int j = i + 1; j < n; ++j) island.addCandidate(i, j);
         for (int i = 0; i < n; ++i)
         {
             for (const dem::ContactRecord& r : contacts[std::size_t(i)])

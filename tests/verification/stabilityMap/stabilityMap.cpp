@@ -738,7 +738,6 @@ public:
             island_->addParticle(particles_[k], loads_[k], rest_[k]);
             if (walls_->walls().planes.size()) island_->addSurfaces(surfaces());
         }
-        for (int i = 0; i < n; ++i) for (int j = i + 1; j < n; ++j) island_->addCandidate(i, j);
         for (int i = 0; i < n; ++i)
         {
             for (const dem::ContactRecord& r : contacts_[std::size_t(i)])

@@ -422,12 +422,12 @@ class Composite : public ContactLaw
         const Columns& list, std::size_t k, Load* loads, const Stage<Real>& s
     )
     {
-        addTo<Real>(loads, list.i + k, &Load::f, s.force);
-        if constexpr (spin) addTo<Real>(loads, list.i + k, &Load::t, s.torqueI);
+        if constexpr (spin) addLoad<Real>(loads, list.i + k, s.force, s.torqueI);
+        else addTo<Real>(loads, list.i + k, &Load::f, s.force);
         if constexpr (partner != wallPartner)
         {
-            addTo<Real, -1>(loads, list.j + k, &Load::f, s.force);
-            if constexpr (spin) addTo<Real>(loads, list.j + k, &Load::t, s.torqueJ);
+            if constexpr (spin) addLoad<Real, -1>(loads, list.j + k, s.force, s.torqueJ);
+            else addTo<Real, -1>(loads, list.j + k, &Load::f, s.force);
         }
     }
 

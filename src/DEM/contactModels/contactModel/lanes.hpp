@@ -127,32 +127,6 @@ template<class Real, int sign = 1>
     Load* loads, const int* index, double (Load::*member)[4], const V3<Real>& v
 )
 {
-#if defined(__AVX512F__)
-    if constexpr (!std::is_same_v<Real, double> && packWidth == 8)
-    {
-        const __m512d x = static_cast<__m512d>(v.x), y = static_cast<__m512d>(v.y);
-        const __m512d z = static_cast<__m512d>(v.z), w = _mm512_setzero_pd();
-        const __m512d xy0 = _mm512_unpacklo_pd(x, y), xy1 = _mm512_unpackhi_pd(x, y);
-        const __m512d zw0 = _mm512_unpacklo_pd(z, w), zw1 = _mm512_unpackhi_pd(z, w);
-        const __m512i low = _mm512_setr_epi64(0, 1, 8, 9, 4, 5, 12, 13);
-        const __m512i high = _mm512_setr_epi64(2, 3, 10, 11, 6, 7, 14, 15);
-        const __m512d row[4] =
-        {
-            _mm512_permutex2var_pd(xy0, low, zw0), _mm512_permutex2var_pd(xy1, low, zw1),
-            _mm512_permutex2var_pd(xy0, high, zw0), _mm512_permutex2var_pd(xy1, high, zw1)
-        };
-        for (int l = 0; l < 8; ++l)
-        {
-            double* to = (loads + index[l])->*member;
-            const __m256d old = _mm256_load_pd(to);
-            const __m256d add =
-                l < 4 ? _mm512_castpd512_pd256(row[l]) : _mm512_extractf64x4_pd(row[l - 4], 1);
-            _mm256_store_pd(to, sign > 0 ? _mm256_add_pd(old, add) : _mm256_sub_pd(old, add));
-        }
-        return;
-    }
-    else
-#endif
 #if defined(__AVX2__)
     if constexpr (!std::is_same_v<Real, double> && packWidth == 4)
     {
@@ -189,6 +163,50 @@ template<class Real, int sign = 1>
             to[2] += sign*lane(v.z, l);
         }
     }
+}
+
+//- Add a force, times sign, and a torque likewise
+template<class Real, int sign = 1>
+[[gnu::always_inline]] inline void addLoad
+(
+    Load* loads, const int* index, const V3<Real>& force, const V3<Real>& torque
+)
+{
+#if defined(__AVX512F__)
+    if constexpr (!std::is_same_v<Real, double> && packWidth == 8)
+    {
+        // a Load is as wide as a register: rows of force and torque, side by side
+        const __m512i low = _mm512_setr_epi64(0, 1, 8, 9, 4, 5, 12, 13);
+        const __m512i high = _mm512_setr_epi64(2, 3, 10, 11, 6, 7, 14, 15);
+        const auto rows = [&](const V3<Real>& v, __m512d* row)
+        {
+            // lane l of row k: component l of what lane k has, then of lane k + 4
+            const __m512d x = static_cast<__m512d>(v.x), y = static_cast<__m512d>(v.y);
+            const __m512d z = static_cast<__m512d>(v.z), w = _mm512_setzero_pd();
+            const __m512d xy0 = _mm512_unpacklo_pd(x, y), xy1 = _mm512_unpackhi_pd(x, y);
+            const __m512d zw0 = _mm512_unpacklo_pd(z, w), zw1 = _mm512_unpackhi_pd(z, w);
+            row[0] = _mm512_permutex2var_pd(xy0, low, zw0);
+            row[1] = _mm512_permutex2var_pd(xy1, low, zw1);
+            row[2] = _mm512_permutex2var_pd(xy0, high, zw0);
+            row[3] = _mm512_permutex2var_pd(xy1, high, zw1);
+        };
+        __m512d f[4], t[4];
+        rows(sign > 0 ? force : Real(-1)*force, f);
+        rows(torque, t);
+        for (int l = 0; l < 8; ++l)
+        {
+            const __m512d load =
+                l < 4
+              ? _mm512_insertf64x4(f[l], _mm512_castpd512_pd256(t[l]), 1)
+              : _mm512_shuffle_f64x2(f[l - 4], t[l - 4], 0xee);
+            double* to = loads[index[l]].f;
+            _mm512_store_pd(to, _mm512_add_pd(_mm512_load_pd(to), load));
+        }
+        return;
+    }
+#endif
+    addTo<Real, sign>(loads, index, &Load::f, force);
+    addTo<Real>(loads, index, &Load::t, torque);
 }
 
 }
