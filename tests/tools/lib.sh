@@ -115,7 +115,7 @@ trap finishTest EXIT
 compile_dem()
 {
     # shellcheck disable=SC2046 # mpicxx prints several words
-    g++ -std=c++17 -O2 -march="${DUSTFOAM_MARCH:-x86-64-v3}" -Wall -Wextra -Wno-cast-function-type \
+    g++ -std=c++17 -O2 -march="${DUSTFOAM_MARCH:-x86-64-v3}" -DEIGEN_MAX_ALIGN_BYTES=32 -Wall -Wextra -Wno-cast-function-type \
         -I"$DUSTFOAM_DIR/src/DEM" -I"$DUSTFOAM_DIR/tests/tools/DEM" -isystem "${DUSTFOAM_EIGEN:-/usr/include/eigen3}" \
         $(mpicxx --showme:compile) "${@:3}" "$1" -o "$2" -L"$FOAM_USER_LIBBIN" -lDEM \
         $(mpicxx --showme:link) || die "$1 does not compile"

@@ -93,8 +93,16 @@ WallSearch::WallSearch(Walls walls)
             );
         }
     };
-    for (const auto& s : walls_.planes) checkPatch(s.patch);
-    for (const auto& s : walls_.cylinders) checkPatch(s.patch);
+    for (auto& s : walls_.planes)
+    {
+        checkPatch(s.patch);
+        s.normal.normalize();
+    }
+    for (auto& s : walls_.cylinders)
+    {
+        checkPatch(s.patch);
+        s.axis.normalize();
+    }
     for (const auto& s : walls_.spheres) checkPatch(s.patch);
 
     const std::size_t n = walls_.triangles.size();
@@ -188,8 +196,7 @@ WallHit WallSearch::shapeHit(int shape, const Vec3& x) const
     if (s < walls_.planes.size())
     {
         const WallPlane& w = walls_.planes[s];
-        const Vec3 n = w.normal.normalized();
-        return {-n, n.dot(x - w.point), w.patch};
+        return {-w.normal, w.normal.dot(x - w.point), w.patch};
     }
     s -= walls_.planes.size();
 
@@ -206,9 +213,8 @@ WallHit WallSearch::shapeHit(int shape, const Vec3& x) const
     if (s < walls_.cylinders.size())
     {
         const WallCylinder& w = walls_.cylinders[s];
-        const Vec3 axis = w.axis.normalized();
         Vec3 out = x - w.point;
-        out -= axis.dot(out)*axis;
+        out -= w.axis.dot(out)*w.axis;
         return round(out, w.radius, w.inside, w.patch);
     }
     s -= walls_.cylinders.size();
@@ -345,6 +351,7 @@ void WallSearch::hits
         if (l.distance <= range*(1 + 1e-9)) local.push_back(l);
     }
     const std::size_t nShapeHits = result.size();
+    if (local.empty() && nShapeHits < 2) return;
 
     // Nearer; or the same point, of which speaks the triangle that is seen from the front,
     // then the lower
