@@ -102,6 +102,9 @@ public:
         const Vec3& gasImpulse(int i) const { return impulse_[std::size_t(i)]; }
         const RestState& rest(int i) const { return rest_[std::size_t(i)]; }
 
+        //- How far particle i has been from where it began, along an axis [m]
+        double farthest(int i) const { return farthest_[std::size_t(i)]; }
+
         //- Contacts of particle i as the lower partner
         std::vector<ContactRecord> contacts(int i) const;
 
@@ -216,6 +219,7 @@ private:
     double inertia(std::size_t i) const;
     void updateWalls();
     void refreshNear();
+    void noteFarthest();
     void findNearSurfaces(int i);
     double contactStep(double time, StepReport& report);
     double meetingStep(double h, int looks) const;
@@ -249,6 +253,7 @@ private:
     std::vector<RestState> rest_;
     std::vector<Vec3> impulse_;
     std::vector<double> reach_;             // longest neck [m]
+    std::vector<double> farthest_;          // [m]
     std::vector<std::vector<Stored>> stored_;
     std::vector<Candidate> candidates_;
     std::vector<std::size_t> surfaceEnd_;   // of each particle in surfaces_
@@ -297,6 +302,7 @@ private:
     double skin_ = 0;           // [m] how far beyond touch near_ looks
     double moved_ = 0;          // [m] path of the fastest since refreshNear()
     double fastest_ = 0;        // [m/s]
+    double strongest_ = 0;      // [m/s2] acceleration at the last look
     bool deep_ = false;         // an overlap comes near what laws cover
     double smallest_ = 0;       // [m] radius
     bool vacuum_ = false;       // no gas force on any particle
