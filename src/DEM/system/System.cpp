@@ -34,8 +34,10 @@ double since(Clock::time_point& start)
     return seconds;
 }
 
-// Search boxes allow for speeds above the fastest member's: adhesion pulls partners together
+// Search boxes allow for speeds above the fastest member's, and for small motions of what
+// holds together; where that turns out not to be enough the particle step is repeated
 constexpr double speedMargin = 1.2;
+constexpr double leastPath = 1e-3;      // [radii]
 
 // Numbers per contact and per particle in a packed state
 constexpr std::size_t contactNumbers = 5 + maxHistory;
@@ -106,7 +108,8 @@ public:
         GasLoad gas;
         RestState rest;
         std::vector<ContactRecord> contacts;
-        double half;        // half width of its search box beyond radius and reach [m]
+        double half;        // half width of its search box beyond radius and reach [m];
+                            // when moved: that it should have had, if more
         int owner;
         std::size_t index;  // on its owner
         Vec3 impulse = Vec3::Zero();
@@ -118,7 +121,7 @@ public:
         Vec3 x, v;
         double size;        // radius and reach of its contacts [m]
         double bend;        // how far from the straight line it can get on its own [m]
-        double speed;       // the fastest it can be on its own [m/s]
+        double speed;       // the fastest it can be on its own, or was when tried [m/s]
         bool deviates;      // can be pushed off the path it has on its own
         double half;        // where it can then get to: half width beyond size [m]
     };
@@ -157,7 +160,13 @@ public:
         const double pull = force.norm()/p.mass;
         const double speed = p.v.norm() + pull*f.p1;
         const bool touches = rest[i].inContact || !contacts[i].empty();
-        return {p.x, p.v, size, 0.5*pull*dt*dt, speed, touches, speedMargin*speed*dt};
+        return {p.x, p.v, size, 0.5*pull*dt*dt, speed, touches, halfWidth(i, speed, dt)};
+    }
+
+    //- How far particle i can be pushed at speeds about `speed` [m]
+    double halfWidth(std::size_t i, double speed, double dt) const
+    {
+        return speedMargin*speed*dt + leastPath*particles[i].radius;
     }
 
     //- Where a particle can get to
@@ -208,11 +217,12 @@ public:
     void integrate(std::vector<Member>& members, double dt, StepReport& report);
     StepReport advance(double dt);
     StepReport advanceTogether(double dt, std::vector<Path>& paths, StepReport& report);
-    void move
+    bool move
     (
-        const Labels& labels, const std::vector<Path>& paths, double dt,
-        StepReport& report, Clock::time_point clock
+        const Labels& labels, std::vector<Path>& paths, double dt,
+        StepReport& report, Clock::time_point& clock
     );
+    void finish(double dt, StepReport& report);
 
     Member member(std::size_t i, double half) const
     {
@@ -659,6 +669,7 @@ void System::Implementation::integrate
         m.rest = island.rest(int(i));
         m.impulse = island.gasImpulse(int(i));
         m.contacts = island.contacts(int(i));
+        m.half = std::max(m.half, island.farthest(int(i)));
     }
 }
 
@@ -668,6 +679,14 @@ StepReport System::Implementation::advance(double dt)
     StepReport report;
     Clock::time_point clock = Clock::now();
     const std::size_t n = particles.size();
+    bool active = false;
+    for (std::size_t i = 0; i < n && !active; ++i) active = awake(i);
+    if (!communicator.any(active))
+    {
+        std::fill(impulse.begin(), impulse.end(), Vec3::Zero());
+        finish(dt, report);
+        return report;
+    }
 
     std::vector<Path> paths(n);
     std::vector<Box> boxes(n);
@@ -708,7 +727,7 @@ StepReport System::Implementation::advance(double dt)
         {
             Path& p = paths[i];
             if (!labels.active[i] || labels.alone[i]) continue;
-            const double half = speedMargin*labels.speed[i]*dt;
+            const double half = halfWidth(i, labels.speed[i], dt);
             if (p.deviates && p.half >= half) continue;
             p.deviates = true;
             p.half = std::max(p.half, half);
@@ -716,7 +735,11 @@ StepReport System::Implementation::advance(double dt)
             widest = std::max(widest, p.size + p.half);
             widened.push_back(i);
         }
-        if (!communicator.any(!widened.empty())) break;
+        if (!communicator.any(!widened.empty()))
+        {
+            if (move(labels, paths, dt, report, clock)) return report;
+            continue;
+        }
         // every pair that is not together yet has a partner outside the largest component
         const std::size_t largest = sets.largest();
         others.clear();
@@ -729,9 +752,6 @@ StepReport System::Implementation::advance(double dt)
             grid.overlapping(boxes[i], widest, [&](int j) { join(int(i), j); });
         }
     }
-
-    move(labels, paths, dt, report, clock);
-    return report;
 }
 
 
@@ -749,38 +769,40 @@ StepReport System::Implementation::advanceTogether
         now += dt;
         return report;
     }
-    double fastest = 0, lowest = 1e300;
-    for (std::size_t i = 0; i < n; ++i)
-    {
-        fastest = std::max(fastest, paths[i].speed);
-        lowest = std::min(lowest, double(particles[i].id));
-    }
-    fastest = communicator.max(fastest);
+    double lowest = 1e300;
+    for (const Particle& p : particles) lowest = std::min(lowest, double(p.id));
     const double first = -communicator.max(-lowest);
     const double home = communicator.max(first == lowest ? communicator.rank() : -1);
 
     Labels labels;
     labels.component.assign(n, std::int64_t(first));
-    labels.speed.assign(n, fastest);
     labels.active.assign(n, 1);
     labels.shared.assign(n, communicator.parallel());
     labels.alone.assign(n, 0);
     labels.home.assign(n, int(home));
-    for (Path& p : paths)
+    do
     {
-        p.deviates = true;
-        p.half = speedMargin*fastest*dt;
+        double fastest = 0;
+        for (const Path& p : paths) fastest = std::max(fastest, p.speed);
+        fastest = communicator.max(fastest);
+        for (std::size_t i = 0; i < n; ++i)
+        {
+            paths[i].deviates = true;
+            paths[i].half = halfWidth(i, fastest, dt);
+        }
     }
-    move(labels, paths, dt, report, clock);
+    while (!move(labels, paths, dt, report, clock));
     return report;
 }
 
 
-//- Move everything, components as labelled
-void System::Implementation::move
+//- Move everything, components as labelled. Particles that contacts have made so fast that
+//  they have left the box they were searched in may have missed others: false then, with
+//  their paths as fast as that and nothing moved
+bool System::Implementation::move
 (
-    const Labels& labels, const std::vector<Path>& paths, double dt,
-    StepReport& report, Clock::time_point clock
+    const Labels& labels, std::vector<Path>& paths, double dt,
+    StepReport& report, Clock::time_point& clock
 )
 {
     const std::size_t n = particles.size();
@@ -821,6 +843,55 @@ void System::Implementation::move
     }
     report.secondsSearch += since(clock);
 
+    StepReport moved;
+    std::vector<std::vector<double>> back(std::size_t(communicator.size()));
+    for (auto& island : islands)
+    {
+        std::vector<Member>& members = island.second;
+        std::sort
+        (
+            members.begin(), members.end(),
+            [](const Member& a, const Member& b) { return a.p.id < b.p.id; }
+        );
+        if (!flyTogether(members, dt, moved)) integrate(members, dt, moved);
+        for (const Member& m : members)
+        {
+            if (m.owner != rank) pack(m, back[std::size_t(m.owner)]);
+        }
+    }
+    report.secondsContact += since(clock);
+
+    // with those moved elsewhere, as an island of no id
+    std::vector<Member>& elsewhere = islands[-1];
+    for (const auto& from : communicator.exchange(back))
+    {
+        const double* p = from.data();
+        const double* const end = p + from.size();
+        while (communicator.parallel() && p < end) elsewhere.push_back(unpack(p));
+    }
+    bool outran = false;
+    for (const auto& island : islands)
+    {
+        for (const Member& m : island.second)
+        {
+            if (m.owner != rank || m.half <= paths[m.index].half) continue;
+            Path& p = paths[m.index];
+            p.deviates = outran = true;
+            p.speed = std::max(p.speed, m.half/dt);
+        }
+    }
+    if (communicator.any(outran))
+    {
+        report.secondsSearch += since(clock);
+        return false;
+    }
+    for (const auto& island : islands)
+    {
+        for (const Member& m : island.second) if (m.owner == rank) takeBack(m);
+    }
+    report.add(moved);
+    report.secondsSearch += since(clock);
+
     for (const std::size_t i : flights)
     {
         const double before = time.energyLedger ? particles[i].kineticEnergy() : 0;
@@ -836,38 +907,22 @@ void System::Implementation::move
     }
     report.secondsFlight += since(clock);
 
-    std::vector<std::vector<double>> back(std::size_t(communicator.size()));
-    for (auto& island : islands)
-    {
-        std::vector<Member>& members = island.second;
-        std::sort
-        (
-            members.begin(), members.end(),
-            [](const Member& a, const Member& b) { return a.p.id < b.p.id; }
-        );
-        if (!flyTogether(members, dt, report)) integrate(members, dt, report);
-        for (const Member& m : members)
-        {
-            if (m.owner == rank) takeBack(m);
-            else pack(m, back[std::size_t(m.owner)]);
-        }
-    }
-    report.secondsContact += since(clock);
+    finish(dt, report);
+    report.secondsSearch += since(clock);
+    return true;
+}
 
-    for (const auto& from : communicator.exchange(back))
-    {
-        const double* p = from.data();
-        const double* const end = p + from.size();
-        while (communicator.parallel() && p < end) takeBack(unpack(p));
-    }
-    for (std::size_t i = 0; i < n; ++i)
+
+//- The end of a particle step
+void System::Implementation::finish(double dt, StepReport& report)
+{
+    for (std::size_t i = 0; i < particles.size(); ++i)
     {
         if (periodic.on()) particles[i].x = periodic.wrapped(particles[i].x);
         report.resting += rest[i].resting && !flies(i);
         report.flyingAtRest += flies(i);
         report.inContact += rest[i].inContact;
     }
-    report.secondsSearch += since(clock);
     now += dt;
 }
 

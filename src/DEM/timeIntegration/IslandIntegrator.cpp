@@ -826,8 +826,22 @@ bool IslandIntegrator::anyContact() const
 }
 
 
+//- particles_ are where the bodies began
+void IslandIntegrator::noteFarthest()
+{
+    for (std::size_t k = 0; k < bodies_.size(); ++k)
+    {
+        farthest_[k] = std::max
+        (
+            farthest_[k], (vec(bodies_[k].x) - particles_[k].x).lpNorm<Eigen::Infinity>()
+        );
+    }
+}
+
+
 void IslandIntegrator::refreshNear()
 {
+    noteFarthest();
     // enough for some steps, as fast as they are now
     skin_ = 0.2*smallest_;
     if (contactStep_ > 0)
@@ -1314,7 +1328,13 @@ double IslandIntegrator::contactStep(double time, StepReport& report)
     double shortest = 1e300, path = 1e300, slipTime = 1e30, turnTime = 1e30;
     sums_.assign(particles_.size(), {});
     accelerations_.resize(particles_.size());
-    for (std::size_t i = 0; i < particles_.size(); ++i) accelerations_[i] = acceleration(int(i));
+    strongest_ = 0;
+    for (std::size_t i = 0; i < particles_.size(); ++i)
+    {
+        accelerations_[i] = acceleration(int(i));
+        strongest_ = std::max(strongest_, accelerations_[i].squaredNorm());
+    }
+    strongest_ = std::sqrt(strongest_);
     for (std::size_t l = 0; l < lists_.size(); ++l)
     {
         const ContactLaw& law = *materials_.laws()[l];
@@ -1576,16 +1596,16 @@ double IslandIntegrator::meetingStep(double h, int looks) const
 double IslandIntegrator::stiffestStep(double speed) const
 {
     double shortest = 1e300;
-    std::vector<const Particle*> smallest(materials_.materials().size(), nullptr);
+    std::vector<const Particle*> lightest(materials_.materials().size(), nullptr);
     for (const Particle& p : particles_)
     {
-        const Particle*& s = smallest[std::size_t(p.material)];
-        if (!s || p.radius < s->radius) s = &p;
+        const Particle*& s = lightest[std::size_t(p.material)];
+        if (!s || p.mass < s->mass) s = &p;
     }
-    for (const Particle* p : smallest)
+    for (const Particle* p : lightest)
     {
         if (!p) continue;
-        for (const Particle* q : smallest)
+        for (const Particle* q : lightest)
         {
             if (!q) continue;
             shortest = std::min
@@ -1629,7 +1649,11 @@ double IslandIntegrator::timeToTouch(bool contact) const
         const Body& b = bodies_[std::size_t(c.j)];
         const Vec3 d = periodic_.nearest(vec(b.x) - vec(a.x));
         const double distance = d.norm();
-        const double g = distance - a.r - b.r - c.touch;
+        const double g = std::max
+        ({
+            distance - a.r - b.r - c.touch,
+            gapResolution(vec(a.x), a.r), gapResolution(vec(b.x), b.r)
+        });
         const double closing = (vec(a.v) - vec(b.v)).dot(d)/std::max(distance, 1e-290);
         const double bound =
             contact ? 0 : accelerationBound(c.i) + accelerationBound(c.j);
@@ -1687,6 +1711,7 @@ double IslandIntegrator::gradedStep(double h, double& end) const
 {
     const double tau = gradedShare*time_.stepsPerContact*h;
     const double first = 0.25*h*h/tau;
+    const double far = 2*(fastest_*std::max(h, tau) + strongest_*h*h);
     double graded = h;
     end = 1e300;
     for (const LawLists& l : lists_)
@@ -1700,22 +1725,24 @@ double IslandIntegrator::gradedStep(double h, double& end) const
                 const double left = std::max(list.overlap[k] + e.neck, 0.0);
                 const double inside = list.overlap[k] - e.edge;
                 // most contacts are nowhere near
-                if (std::min(left, std::fabs(inside)) > fastest_*2*std::max(h, tau)) continue;
+                if (std::min(left, std::fabs(inside)) > far) continue;
                 const Body& bi = bodies_[std::size_t(list.i[k])];
-                double opening;
+                double opening, parting;    // [m/s], [m/s2]
                 if (wall)
                 {
-                    opening =
-                      -(bi.v[0]*list.nx[k] + bi.v[1]*list.ny[k] + bi.v[2]*list.nz[k]);
+                    const Vec3 n(list.nx[k], list.ny[k], list.nz[k]);
+                    opening = -vec(bi.v).dot(n);
+                    parting = -acceleration(list.i[k]).dot(n);
                 }
                 else
                 {
                     const Body& bj = bodies_[std::size_t(list.j[k])];
                     const Vec3 n = periodic_.nearest(vec(bj.x) - vec(bi.x)).normalized();
                     opening = (vec(bj.v) - vec(bi.v)).dot(n);
+                    parting = (acceleration(list.j[k]) - acceleration(list.i[k])).dot(n);
                 }
+                end = std::min(end, closingTime(left, opening, std::max(parting, 0.0)));
                 if (opening == 0) continue;
-                if (opening > 0) end = std::min(end, left/opening);
                 const double t = std::fabs(inside/opening);
                 const double even = h*std::sqrt(t/tau);
                 const bool nears = inside*opening > 0;
@@ -2107,6 +2134,7 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
     refined_ = false;
     flies_.assign(n, 0);
     loads_.assign(n, Load{});
+    farthest_.assign(n, 0);
     awake_.clear();
     smallest_ = 1e300;
     flightStep_ = -1;
@@ -2185,14 +2213,21 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
     endMarked(report);
     form(report);
 
-    const double stiffest = time_.islands ? 0 : stiffestStep(speedBound);
+    // Step of new contacts, at the greatest speed so far: contacts can add to the bound
+    double topSpeed = -1, stiffest = 0;
+    const auto noteSpeed = [&]
+    {
+        const double speed = std::max(fastest_, speedBound);
+        if (speed <= topSpeed) return;
+        topSpeed = speed;
+        stiffest = stiffestStep(topSpeed);
+    };
     const int lookInterval = exactEvents_ ? stepsBetweenLooks : stepsBetweenLooksDense;
     // an event is passed by at most this part of a step: its error is of second order too
     const double overshoot = std::min(1e-3, 0.05/time_.stepsPerContact);
     previousStep_ = 0;
     double t = 0, h = 0, sinceLook = 0;
     int looked = lookInterval, shortened = 0;
-    double nearTouch = 0;
     std::int64_t flights = 0;
     while (t < dt && !awake_.empty())
     {
@@ -2203,6 +2238,7 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
             if (looked >= lookInterval)
             {
                 complete();
+                noteSpeed();
                 h = std::min(stiffest, contactStep(time + t, report));
                 h = left/std::ceil(left/h*(1 - 1e-12));
                 looked = 0;
@@ -2257,15 +2293,9 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
             now = timeToTouch(false);
             if (now < 1e-6*smallest_/std::max({fastest_, speedBound, 1e-300}))
             {
-                if (nearTouch == 0)
-                {
-                    nearTouch = overshoot*std::min
-                    (
-                        stiffestStep(speedBound),
-                        mostPath*smallest_/std::max(speedBound, 1e-300)
-                    );
-                }
-                now = std::max(now, nearTouch);
+                noteSpeed();
+                const double path = mostPath*smallest_/std::max(topSpeed, 1e-300);
+                now = std::max(now, overshoot*std::min(stiffest, path));
             }
             now = std::min(now, left);
             looked = lookInterval;
@@ -2310,6 +2340,7 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
         }
     }
 
+    noteFarthest();
     prepareSprings(0);
     freezeFlying(report);
     for (LawLists& l : lists_)

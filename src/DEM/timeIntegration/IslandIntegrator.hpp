@@ -104,6 +104,9 @@ public:
         const Vec3& gasImpulse(int i) const { return impulse_[std::size_t(i)]; }
         const RestState& rest(int i) const { return rest_[std::size_t(i)]; }
 
+        //- How far particle i has been from where it began, along an axis [m]
+        double farthest(int i) const { return farthest_[std::size_t(i)]; }
+
         //- Contacts of particle i as the lower partner
         std::vector<ContactRecord> contacts(int i) const;
 
@@ -235,6 +238,7 @@ private:
     double inertia(std::size_t i) const;
     void updateWalls();
     void refreshNear();
+    void noteFarthest();
     void findNearSurfaces(int i);
     double contactStep(double time, StepReport& report);
     double meetingStep(double h, int looks) const;
@@ -269,6 +273,7 @@ private:
     std::vector<RestState> rest_;
     std::vector<Vec3> impulse_;
     std::vector<double> reach_;             // longest neck [m]
+    std::vector<double> farthest_;          // [m]
     std::vector<std::vector<Stored>> stored_;
     std::vector<Roam> roam_;
     std::vector<Box> boxes_;                // that the particles stay within, surfaces included
@@ -324,6 +329,7 @@ private:
     double path_ = 0;           // [m] that the fastest at each time has made since run()
     double refreshed_ = 0;      // [m] path_ at refreshNear()
     double fastest_ = 0;        // [m/s]
+    double strongest_ = 0;      // [m/s2] acceleration at the last look
     bool deep_ = false;         // an overlap comes near what laws cover
     double smallest_ = 0;       // [m] radius
     bool vacuum_ = false;       // no gas force on any particle

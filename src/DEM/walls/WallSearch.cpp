@@ -450,7 +450,12 @@ double WallSearch::timeToTouch
             shortest,
             closingTime
             (
-                distance - radius - touch[std::size_t(patchOf(s))], closing, bound
+                std::max
+                (
+                    distance - radius - touch[std::size_t(patchOf(s))],
+                    gapResolution(x, radius)
+                ),
+                closing, bound
             )
         );
     }

@@ -87,4 +87,11 @@ private:
 //  bound of its rate of change. Never too late for surfaces that are convex from outside.
 double closingTime(double gap, double closingSpeed, double bound);
 
+//- What the gap of a sphere is known to [m]; what is nearer than that touches within the
+//  time that this takes
+inline double gapResolution(const Vec3& x, double radius)
+{
+    return 16*2.2e-16*(x.lpNorm<Eigen::Infinity>() + radius);
+}
+
 }

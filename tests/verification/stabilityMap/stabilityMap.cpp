@@ -3,7 +3,10 @@
 // The stability map: every contact law through stiff and extreme cases. See README.md.
 //
 //     stabilityMap run COUNT [FIRST]   -> cases.csv, map.csv, worst.csv, summary on stdout
-//     stabilityMap case NUMBER         one case: its input, course and verdict
+//     stabilityMap case NUMBER [FINER] one case: its input, course and verdict; also the course
+//                                      with FINER times the steps
+//     stabilityMap wrong BY COUNT [FIRST]  of the cases judged by their energy: in how many
+//                                      a run with wrong numbers (wrongBy) is found
 #include "DEM.hpp"
 #include "contactModels/contactModel/ContactLaw.hpp"
 #include "contactModels/contactModel/contactModelTable.hpp"
@@ -241,7 +244,7 @@ struct Case
     Scene scene;
     double value[nAxes];
     bool beneath = false;       // the integrator itself, beyond what System accepts
-    bool undamped = false;
+    bool conserves = false;     // one contact without a dashpot or a neck, along its normal
 
     std::vector<dem::Material> materials;
     dem::ContactSettings settings;
@@ -312,6 +315,32 @@ double contactEnergy
     std::fill(history, history + dem::maxHistory, 0.0);
     at(overlap);
     return std::max(stored, 0.0) - least;
+}
+
+//- Potential of a contact without a neck [J], 0 where it begins: quadrature of its force
+double potential
+(
+    const dem::MaterialTable& table, double ri, double rj, double m, double overlap
+)
+{
+    const dem::PairConstants& pair = table.constants(0, 0);
+    const dem::ContactLaw& law = *table.laws()[std::size_t(table.lawIndex(0, 0))];
+    const int p = table.pairInLaw(0, 0);
+    double c[dem::maxConstants];
+    law.prepare(p, {pair, rj > 0 ? ri*rj/(ri + rj) : ri, m}, c);
+    double history[dem::maxHistory] = {};
+    const double begins = -law.touchDistance(p, pair);
+    double sum = 0;
+    constexpr int n = 400;
+    for (const auto& range : {std::pair<double, double>{begins, 0.0}, {0.0, 1e300}})
+    {
+        const double h = (std::min(overlap, range.second) - range.first)/n;
+        for (int k = 0; k < n && h > 0; ++k)
+        {
+            sum += law.normalResponse(c, range.first + (k + 0.5)*h, history).elastic*h;
+        }
+    }
+    return sum;
 }
 
 //- Overlap at which the law bears a force [m]; -1 if none below a radius does
@@ -514,7 +543,6 @@ Case makeCase(std::uint64_t number)
         c.wall && c.particles.size() == 1 ? table.figures(0, 0, r, -1, m, 0, speed)
       : rj > 0 ? table.figures(0, 0, r, rj, m, mj, speed)
       : table.figures(0, 0, smallest, smallest, lightest, lightest, speed);
-    (void)law;
 
     const double share = v[stepAxis];
     c.time.stepsPerContact = pi/share;
@@ -550,6 +578,15 @@ Case makeCase(std::uint64_t number)
         }
         else c.work = m*9.81*v[gravityAxis]*2*r;    // pressed through: refused
     }
+    const std::string& normal = c.settings.normal.model;
+    const double R = rj > 0 ? r*rj/(r + rj) : r;
+    const int inLaw = table.pairInLaw(0, 0);
+    const dem::PairConstants& pair = table.constants(0, 0);
+    c.conserves =
+        (c.scene == headOn || c.scene == placed) && normal != "cohesivePlastic"
+     && c.settings.normal.values.count("restitution")
+     && c.settings.normal.values.at("restitution") == 1
+     && law.reach(inLaw, pair, R) <= law.touchDistance(inLaw, pair);
     if (c.scene == drag)
     {
         dem::GasLoad& g = c.loads[0];
@@ -652,6 +689,7 @@ struct Course
     bool budget = false;        // stopped at the limit of steps
     int pieces = 0;             // done
     std::vector<dem::Particle> end;
+    std::vector<std::vector<dem::Particle>> ends;   // of each piece, where energy is kept
     double energy = 0;          // kinetic [J], about the moving centre without a wall
     double peak = 0;            // largest of it [J]
     Vec3 momentum0, momentum;
@@ -841,6 +879,7 @@ Course follow(const Case& c, double finer, double fast, int pieces, std::int64_t
         {
             course.report.add(mover.advance(c.piece));
             course.end = mover.particles();
+            if (c.conserves) course.ends.push_back(course.end);
             course.energy = kinetic(course.end, c.wall);
             course.peak = std::max(course.peak, course.energy);
             double scale = 0;
@@ -904,6 +943,27 @@ double distance(const Case& c, const Course& a, const Course& b)
     return std::sqrt(sum/c.energyScale);
 }
 
+//- Energy of a case that conserves it, 0 for two that are apart and still [J]
+double heldEnergy(const Case& c, const std::vector<dem::Particle>& particles)
+{
+    const dem::MaterialTable table(c.materials, c.settings, {}, c.softening);
+    const dem::Particle& p = particles[0];
+    double energy = kinetic(particles, c.wall);
+    if (c.wall)
+    {
+        const double gap = p.x.z() - p.radius - table.touchDistance(0, 0);
+        return
+            energy + potential(table, p.radius, -1, p.mass, p.radius - p.x.z())
+          - c.loads[0].Su.z()*gap;
+    }
+    const dem::Particle& q = particles[1];
+    return energy + potential
+    (
+        table, p.radius, q.radius, p.mass*q.mass/(p.mass + q.mass),
+        p.radius + q.radius - (p.x - q.x).norm()
+    );
+}
+
 std::string number(double x)
 {
     char s[40];
@@ -920,12 +980,16 @@ bool clear(const std::string& message)
     return numerical || message.find("(allowed: ") != std::string::npos;
 }
 
+//- What the run that is judged is made wrong by: speeds, surface energy, yield strength and
+//  restitution are this much larger. 1: it is not
+double wrongBy = 1;
+
 Judgement judge(const Case& c)
 {
     Judgement j;
     const double N = c.beneath ? pi/c.value[stepAxis] : c.time.stepsPerContact;
     const std::int64_t budget = std::int64_t(12*N) + 200;
-    const Course a = follow(c, 1, 1, c.pieces, budget);
+    const Course a = follow(c, 1, wrongBy, c.pieces, budget);
     j.steps = double(a.report.contactSteps);
     const bool isBeyond = c.beneath && c.value[stepAxis] > 1;
     const auto wrong = [&](const std::string& why)
@@ -1035,6 +1099,31 @@ Judgement judge(const Case& c)
         // many bodies: the sum only
         j.error = std::fabs(a.energy - b.energy)/c.energyScale;
     }
+    // Energy that is kept, by quadrature of the law
+    if (c.conserves)
+    {
+        const double begun = heldEnergy(c, c.particles);
+        double off = 0;
+        for (const auto& end : a.ends)
+        {
+            off = std::max(off, std::fabs(heldEnergy(c, end) - begun)/c.energyScale);
+        }
+        // what velocity Verlet makes of it: (omega h)^2/4
+        const double ripple = pi*pi/(N*N);
+        // It leaves with what it came with. Where that is less, to hold on is as right as to
+        // leave, now or later
+        const bool either = j.error > j.band && begun < ripple*c.energyScale;
+        const double allowance = either ? ripple : growth - 1;
+        if (off > allowance)
+        {
+            return wrong("energy off by " + number(off) + ", band " + number(allowance));
+        }
+        if (either)
+        {
+            j.error = off;
+            j.band = ripple;
+        }
+    }
     if (j.error > j.band)
     {
         // is the case itself that sensitive?
@@ -1111,7 +1200,7 @@ int main(int argc, char** argv)
     std::signal(SIGFPE, onTrap);
     std::signal(SIGPROF, onAlarm);
     const std::string what = argc > 1 ? argv[1] : "";
-    if (what == "case" && argc == 3)
+    if (what == "case" && (argc == 3 || argc == 4))
     {
         verbose = true;
         const Case c = makeCase(std::strtoull(argv[2], nullptr, 10));
@@ -1144,6 +1233,7 @@ int main(int argc, char** argv)
                 c.loads[i].Su.z()
             );
         }
+        if (argc > 3) follow(c, std::atof(argv[3]), 1, c.pieces, 1000000000);
         const Judgement j = judge(c);
         std::printf
         (
@@ -1152,9 +1242,37 @@ int main(int argc, char** argv)
         );
         return 0;
     }
+    if (what == "wrong" && argc >= 4)
+    {
+        // those that are judged by their energy, and right as they are
+        const std::uint64_t begin = argc > 4 ? std::strtoull(argv[4], nullptr, 10) : 0;
+        int judged = 0, found = 0;
+        for (std::uint64_t n = begin; n < begin + std::strtoull(argv[3], nullptr, 10); ++n)
+        {
+            const Case c = makeCase(n);
+            if (c.beneath || !c.conserves) continue;
+            wrongBy = 1;
+            if (judge(c).verdict != right) continue;
+            wrongBy = std::atof(argv[2]);
+            const Judgement j = judge(c);
+            ++judged;
+            found += j.verdict == silent;
+            if (j.verdict != silent && std::getenv("SM_MISSED"))
+            {
+                std::fprintf
+                (
+                    stderr, "%s %s error %.3g band %.3g\n", c.text().c_str(),
+                    verdictNames[j.verdict], j.error, j.band
+                );
+            }
+        }
+        std::printf("judged %d\nfound wrong %d\n", judged, found);
+        return 0;
+    }
     if (what != "run" || argc < 3)
     {
-        std::cerr << "stabilityMap run COUNT [FIRST] | case NUMBER\n";
+        std::cerr
+            << "stabilityMap run COUNT [FIRST] | case NUMBER [FINER] | wrong BY COUNT [FIRST]\n";
         return 2;
     }
 
