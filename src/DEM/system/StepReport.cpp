@@ -13,7 +13,10 @@ void StepReport::add(const StepReport& o)
     islands += o.islands;
     freeFlights += o.freeFlights;
     aggregateFlights += o.aggregateFlights;
+    repeats += o.repeats;
     touches += o.touches;
+    touchSpeed += o.touchSpeed;
+    touchSpeedSquare += o.touchSpeedSquare;
     separations += o.separations;
     sleeps += o.sleeps;
     wakes += o.wakes;

@@ -16,7 +16,10 @@ struct StepReport
     std::int64_t islands = 0;           // islands integrated
     std::int64_t freeFlights = 0;       // particles moved in closed form over the whole step
     std::int64_t aggregateFlights = 0;  // aggregates moved as one body over the whole step
+    std::int64_t repeats = 0;           // steps done again, as particles left their boxes
     std::int64_t touches = 0;           // contacts formed
+    double touchSpeed = 0;              // sum of their speeds of approach [m/s]
+    double touchSpeedSquare = 0;        // sum of the squares of these [m2/s2]
     std::int64_t separations = 0;       // contacts ended
     std::int64_t sleeps = 0;            // particles put to rest
     std::int64_t wakes = 0;             // particles woken

@@ -882,6 +882,7 @@ bool System::Implementation::move
     }
     if (communicator.any(outran))
     {
+        report.repeats += communicator.rank() == 0;
         report.secondsSearch += since(clock);
         return false;
     }

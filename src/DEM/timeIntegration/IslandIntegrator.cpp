@@ -355,18 +355,43 @@ void IslandIntegrator::findCandidates(double dt)
 }
 
 
-//- Look for candidates of a particle that leaves its box: as far as it now flies in the time
-//  of a radius
-void IslandIntegrator::widen(int i)
+//- Look for more candidates of those that leave their boxes in a flight over `time`
+void IslandIntegrator::keepInBoxes(double time)
+{
+    for (const int i : awake_)
+    {
+        const std::size_t k = std::size_t(i);
+        if (roam_[k].all) continue;
+        const Body& b = bodies_[k];
+        const double half = b.r + reach_[k] + 0.5*skin_;
+        Box path{vec(b.x), vec(b.x)};
+        const auto fly = [&](double t)
+        {
+            Particle p = particles_[k];
+            p.x = vec(b.x);
+            p.v = vec(b.v);
+            flightBox(p, gas_[k], t, path.low, path.high);
+        };
+        const auto around = [](const Box& box, double by)
+        {
+            return Box{box.low.array() - by, box.high.array() + by};
+        };
+        if (time > 0) fly(time);
+        if (boxes_[k].contains(around(path, half))) continue;
+        // as far, at least, as it flies in the time of a radius
+        const double speed = vec(b.v).norm();
+        fly(std::max(time, std::min(left_, b.r/std::max(speed, 1e-300))));
+        widen(i, around(path, b.r + reach_[k] + roaming*b.r));
+    }
+}
+
+
+//- Let particle i go along `path`, its surface included
+void IslandIntegrator::widen(int i, const Box& path)
 {
     const std::size_t k = std::size_t(i);
-    const Body& b = bodies_[k];
-    const Vec3 x = vec(b.x), v = vec(b.v);
-    const double speed = v.norm();
-    const Vec3 end = x + (speed > 0 ? b.r/speed : 0)*v;
-    const double half = b.r + reach_[k] + roaming*b.r;
     Box& box = boxes_[k];
-    box.include({x.cwiseMin(end).array() - half, x.cwiseMax(end).array() + half});
+    box.include(path);
     widest_ = std::max(widest_, 0.5*(box.high - box.low).maxCoeff());
 
     static thread_local std::vector<int> known, found;
@@ -525,6 +550,13 @@ bool IslandIntegrator::form(StepReport& report)
     for (const LawLists& l : lists_) before.push_back({l.pairs.size(), l.walls.size()});
 
     bool any = false;
+    const auto touches = [&](const Vec3& v, const Vec3& n)
+    {
+        const double speed = v.dot(n);
+        ++report.touches;
+        report.touchSpeed += speed;
+        report.touchSpeedSquare += speed*speed;
+    };
     for (Near& near : near_)
     {
         if (near.due > path_) continue;
@@ -537,7 +569,9 @@ bool IslandIntegrator::form(StepReport& report)
         }
         if (exactEvents_) complete();
         begin(pair.i, pair.j, -1, near.candidate, nullptr);
-        ++report.touches;
+        const Body& a = bodies_[std::size_t(pair.i)];
+        const Body& b = bodies_[std::size_t(pair.j)];
+        touches(vec(a.v) - vec(b.v), periodic_.nearest(vec(b.x) - vec(a.x)).normalized());
         any = true;
     }
 
@@ -564,7 +598,7 @@ bool IslandIntegrator::form(StepReport& report)
             list.nz.back() = hits[k].n.z();
             list.overlap.back() = r - hits[k].distance;
             hitTaken_[std::size_t(i)][k] = 1;
-            ++report.touches;
+            touches(vec(bodies_[std::size_t(i)].v), hits[k].n);
             any = true;
         }
     }
@@ -849,16 +883,7 @@ void IslandIntegrator::refreshNear()
         skin_ = std::min(skin_, std::max(200*fastest_*contactStep_, 1e-3*smallest_));
     }
     refreshed_ = path_;
-    for (const int i : awake_)
-    {
-        const std::size_t k = std::size_t(i);
-        if (roam_[k].all) continue;
-        const Body& b = bodies_[k];
-        const double half = b.r + reach_[k] + 0.5*skin_;
-        const Vec3 x = vec(b.x);
-        const Box now{x.array() - half, x.array() + half};
-        if (!boxes_[k].contains(now)) widen(i);
-    }
+    keepInBoxes(0);
     near_.clear();
     for (std::size_t c = 0; c < candidates_.size(); ++c)
     {
@@ -1398,10 +1423,12 @@ double IslandIntegrator::contactStep(double time, StepReport& report)
                     );
                 };
                 const auto depthOf = [&](const ContactBound& b) { return b.radius*b.radius/e.R; };
-                // what presses may make it faster, and so stiffer, before the next look
+                // what presses may make it faster, and so stiffer, before the next look; a
+                // load that stays, by a T/(2 pi) at most
+                const double ahead = std::min(looks/time_.stepsPerContact, exactEvents_ ? 1e300 : 0.25);
                 const auto gain = [&](const ContactBound& b)
                 {
-                    return std::max(0.0, a.dot(n))*looks*b.period/time_.stepsPerContact;
+                    return std::max(0.0, a.dot(n))*ahead*b.period;
                 };
                 ContactBound b;
                 double gained;
@@ -2197,6 +2224,7 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
     fastest_ = speedBound;
     exactEvents_ = candidates_.size() < denseIsland;
     path_ = 0;
+    left_ = dt;
     refreshNear();
     woken_.clear();
     for (std::size_t i = 0; i < n; ++i)
@@ -2231,7 +2259,7 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
     std::int64_t flights = 0;
     while (t < dt && !awake_.empty())
     {
-        const double left = dt - t;
+        const double left = left_ = dt - t;
         double now;
         if (!time_.islands)
         {
@@ -2290,6 +2318,7 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
         else
         {
             // Near a touch go on by small parts of the contact step that would follow
+            keepInBoxes(left);
             now = timeToTouch(false);
             if (now < 1e-6*smallest_/std::max({fastest_, speedBound, 1e-300}))
             {
@@ -2306,6 +2335,7 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
             }
         }
 
+        if (4*fastest_*now > skin_) keepInBoxes(now);
         step(now, std::min(h, left - now), report);
         t = now < left ? t + now : dt;
 

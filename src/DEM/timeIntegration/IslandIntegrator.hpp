@@ -205,7 +205,8 @@ private:
     bool endMarked(StepReport& report);
     bool form(StepReport& report);
     void findCandidates(double dt);
-    void widen(int i);
+    void keepInBoxes(double time);
+    void widen(int i, const Box& path);
     int findCandidate(int i, int j) const;
     void activateStored();
     void activateStored(std::size_t i);
@@ -326,6 +327,7 @@ private:
     double previousStep_ = 0;   // [s] from previousLoads_ to loads_; 0 = there are none
     double flightStep_ = -1;    // h that flight_ is made for
     double skin_ = 0;           // [m] how far beyond touch near_ looks
+    double left_ = 0;           // [s] of this run
     double path_ = 0;           // [m] that the fastest at each time has made since run()
     double refreshed_ = 0;      // [m] path_ at refreshNear()
     double fastest_ = 0;        // [m/s]

@@ -644,7 +644,11 @@ void Foam::dustCloud::summarise()
     const scalar contactUpdates = sum(totals.contactUpdates);
     const scalar freeFlights = sum(totals.freeFlights);
     const scalar touches = sum(totals.touches);
+    const scalar touchSpeed = sum(totals.touchSpeed)/max(touches, 1.0);
+    const scalar touchSpeedSquare = sum(totals.touchSpeedSquare)/max(touches, 1.0);
     const scalar separations = sum(totals.separations);
+    const scalar aggregateFlights = sum(totals.aggregateFlights);
+    const scalar repeats = sum(totals.repeats);
     const scalar sleeps = sum(totals.sleeps);
     const scalar wakes = sum(totals.wakes);
     const label offMesh = returnReduce(d.offMesh, sumOp<label>());
@@ -771,13 +775,15 @@ void Foam::dustCloud::summarise()
     Info<< nl << "  Work and error indicators of this run" << nl
         << format
         (
-            "    particle steps %d, free flights %.3g, contact steps %.3g, "
-            "contact updates %.3g\n"
+            "    particle steps %d (repeated %.3g), free flights %.3g of particles, "
+            "%.3g of aggregates, contact steps %.3g, contact updates %.3g\n"
             "    touches %.3g, separations %.3g, sleeps %.3g, wakes %.3g\n"
+            "    speed at touch %.3g m/s, standard deviation %.3g m/s\n"
             "    largest overlap/d %.3g, fewest steps per contact period %s, "
             "largest step/stability bound %.3g, energy removed by rest %.3g J\n",
-            d.particleSteps, freeFlights, contactSteps, contactUpdates,
-            touches, separations, sleeps, wakes,
+            d.particleSteps, repeats, freeFlights, aggregateFlights, contactSteps,
+            contactUpdates, touches, separations, sleeps, wakes, touchSpeed,
+            std::sqrt(max(touchSpeedSquare - sqr(touchSpeed), 0.0)),
             totals.maxOverlapOverDiameter,
             totals.minStepsPerContact < 1e100
           ? format("%.3g", totals.minStepsPerContact).c_str()

@@ -171,6 +171,40 @@ TEST(system, collisionsThatFollowFromCollisions)
 }
 
 
+TEST(system, aChainOfCollisionsInACrowd)
+{
+    // In an island of many, candidates are looked for near the path that each has on its own:
+    // what is pushed off it must still meet all that is in its way. Equal spheres, undamped,
+    // head-on: each hands all of its velocity on. Others stand aside.
+    const Law law = elastic();
+    const double r = 1e-6, v = 1;
+    const int chain = 6, crowd = 60;
+    for (const bool islands : {true, false})
+    {
+        dem::TimeSettings time;
+        time.islands = islands;
+        time.stepsPerContact = 100;
+        dem::System system(law.table(), time);
+        for (int k = 0; k < chain; ++k)
+        {
+            system.add(sphere(law, k, r, Vec3(6*r*k, 0, 0), k ? Vec3(0, 0, 0) : Vec3(v, 0, 0)));
+        }
+        for (int k = 0; k < crowd; ++k)
+        {
+            system.add(sphere(law, chain + k, r, Vec3(3*r*(k%12), 2.5*r*(1 + k/12), 0)));
+        }
+        const dem::StepReport report = system.advance(40*r/v);
+        EXPECT_EQ(report.touches, chain - 1);
+        EXPECT_TRUE(near(system.particle(0).v.x(), 0, 2e-3*v));
+        EXPECT_TRUE(near(system.particle(chain - 1).v.x(), v, 2e-3*v));
+        for (int k = 0; k < crowd; ++k)
+        {
+            EXPECT_EQ(system.particle(std::size_t(chain + k)).v.norm(), 0);
+        }
+    }
+}
+
+
 TEST(system, attractionOfASlowPartnerIsNotMissed)
 {
     // a sphere carried by the gas only: at rest at first, it meets the wall within the step
