@@ -300,13 +300,6 @@ void IslandIntegrator::store(const ContactList& list, std::size_t k, bool wall)
 void IslandIntegrator::findCandidates(double dt)
 {
     const std::size_t n = particles_.size();
-    const auto add = [this](int i, int j)
-    {
-        const int mi = particles_[std::size_t(i)].material;
-        const int mj = particles_[std::size_t(j)].material;
-        candidates_.push_back({i, j, false, materials_.touchDistance(mi, mj)});
-    };
-
     const bool many = n > manyParticles;
     boxes_.resize(n);
     widest_ = 0;
@@ -323,17 +316,21 @@ void IslandIntegrator::findCandidates(double dt)
         widest_ = std::max(widest_, 0.5*(boxes_[i].high - boxes_[i].low).maxCoeff());
     }
 
+    due_.clear();
     grid_.reset();
     if (n <= fewParticles)
     {
+        // boxes are cubes, with their particles in the middle
+        const auto half = [this](std::size_t i)
+        {
+            return 0.5*(boxes_[i].high - boxes_[i].low).x();
+        };
         for (std::size_t i = 0; i < n; ++i)
         {
             for (std::size_t j = i + 1; j < n; ++j)
             {
-                // boxes have their particles in the middle
                 const Vec3 d = periodic_.nearest(particles_[j].x - particles_[i].x);
-                const Vec3 reach = 0.5*(boxes_[i].high - boxes_[i].low + boxes_[j].high - boxes_[j].low);
-                if ((d.cwiseAbs().array() <= reach.array()).all()) add(int(i), int(j));
+                if (d.lpNorm<Eigen::Infinity>() <= half(i) + half(j)) addCandidate(int(i), int(j));
             }
         }
     }
@@ -347,11 +344,19 @@ void IslandIntegrator::findCandidates(double dt)
             std::vector<int>& of = partners[i];
             std::sort(of.begin(), of.end());
             if (periodic_.on()) of.erase(std::unique(of.begin(), of.end()), of.end());
-            for (const int j : of) add(int(i), j);
+            for (const int j : of) addCandidate(int(i), j);
         }
     }
     sorted_ = candidates_.size();
-    due_.assign(sorted_, 0);
+}
+
+
+void IslandIntegrator::addCandidate(int i, int j)
+{
+    const int mi = particles_[std::size_t(i)].material;
+    const int mj = particles_[std::size_t(j)].material;
+    candidates_.push_back({i, j, false, materials_.touchDistance(mi, mj)});
+    due_.push_back(0);
 }
 
 
@@ -409,16 +414,7 @@ void IslandIntegrator::widen(int i, const Box& path)
     });
     std::sort(found.begin(), found.end());
     found.erase(std::unique(found.begin(), found.end()), found.end());
-    for (const int j : found)
-    {
-        const int mi = particles_[k].material;
-        const int mj = particles_[std::size_t(j)].material;
-        candidates_.push_back
-        ({
-            std::min(i, j), std::max(i, j), false, materials_.touchDistance(mi, mj)
-        });
-        due_.push_back(0);
-    }
+    for (const int j : found) addCandidate(std::min(i, j), std::max(i, j));
 }
 
 
@@ -1425,7 +1421,8 @@ double IslandIntegrator::contactStep(double time, StepReport& report)
                 const auto depthOf = [&](const ContactBound& b) { return b.radius*b.radius/e.R; };
                 // what presses may make it faster, and so stiffer, before the next look; a
                 // load that stays, by a T/(2 pi) at most
-                const double ahead = std::min(looks/time_.stepsPerContact, exactEvents_ ? 1e300 : 0.25);
+                const double periods = looks/time_.stepsPerContact;
+                const double ahead = exactEvents_ ? periods : std::min(periods, 0.25);
                 const auto gain = [&](const ContactBound& b)
                 {
                     return std::max(0.0, a.dot(n))*ahead*b.period;

@@ -22,6 +22,10 @@
 //     overlap 0 or until the end, by the speed of now. The first of them is h^2/(4 tau).
 // Proof: tests/verification/DEM/{convergence,pslRebound}.cpp, tests/unit/DEM/stability.cpp
 //
+// Candidates for new contacts are pairs whose boxes overlap. In an island of many the boxes are
+// little more than the path that each has on its own, and grow when a particle leaves that.
+// A candidate is looked at again when the fastest particle has gone half of its gap.
+//
 // Rest: a particle falls asleep, and is then a fixed boundary for those awake, when for a
 // whole window (3 normal periods) it has had
 //     kinetic energy < 0.1 F_C delta_C,  |force| < 0.1 F_C,
@@ -205,6 +209,7 @@ private:
     bool endMarked(StepReport& report);
     bool form(StepReport& report);
     void findCandidates(double dt);
+    void addCandidate(int i, int j);
     void keepInBoxes(double time);
     void widen(int i, const Box& path);
     int findCandidate(int i, int j) const;
