@@ -988,11 +988,13 @@ void IslandIntegrator::setFlight(double h)
         const FlightFactors f(g.Sp*bodies_[k].invM, h);
         const Vec3 b = (g.Sp*g.Uc + g.Su)*bodies_[k].invM;
         const FlightFactors spin(g.SpOmega*bodies_[k].invI, h);
+        const Vec3 driven = f.p1*b, drivenSpin = (1 - spin.e)*g.omegaC;
         flight_[k] =
         {
-            f.e, f.p1, f.p2, f.p2/h, spin.e, spin.p1 - spin.p2/h, spin.p2/h,
-            {b[0], b[1], b[2]},
-            {g.omegaC[0], g.omegaC[1], g.omegaC[2]}
+            f.e, f.p1, f.p2, f.p1 - f.p2/h, f.p2/h,
+            spin.e, spin.p1 - spin.p2/h, spin.p2/h,
+            {b[0], b[1], b[2]}, {driven[0], driven[1], driven[2]},
+            {drivenSpin[0], drivenSpin[1], drivenSpin[2]}
         };
     }
 }
@@ -1042,6 +1044,12 @@ double IslandIntegrator::drift(double h)
     typedef double Quad __attribute__((vector_size(32), may_alias));
     typedef double Octet __attribute__((vector_size(64), may_alias));
     typedef double LooseOctet __attribute__((vector_size(64), may_alias, aligned(32)));
+    const auto velocity = [](const Octet& o)
+    {
+        Quad v = __builtin_shufflevector(o, o, 0, 1, 2, 3);
+        v[3] = 0;
+        return v;
+    };
     const double kick = 0.5*(owed_ + h), half = 0.5*h;
     double fastest = 0;
     for (const int i : awake_)
@@ -1050,33 +1058,50 @@ double IslandIntegrator::drift(double h)
         Body& b = bodies_[k];
         Load& l = loads_[k];
         Motion& m = motion_[k];
-        double square = 0;
+        double square;
         if constexpr (gas)
         {
             const Flight& f = flight_[k];
-            for (int d = 0; d < 3; ++d)
+            const Octet before = reinterpret_cast<LooseOctet&>(b.v);
+            // 1/m and 1/I, which are the fourths; those of Load are zero
+            const Octet perLoad =
+                __builtin_shufflevector(before, before, 3, 3, 3, 3, 7, 7, 7, 7);
+            const Octet change = perLoad*reinterpret_cast<Octet&>(l);
+            const Octet kept{f.e, f.e, f.e, 1, f.eSpin, f.eSpin, f.eSpin, 1};
+            const Octet early
             {
-                const double v = b.v[d], w = b.w[d];
-                const double a = l.f[d]*b.invM, turn = l.t[d]*b.invI;
-                b.x[d] += f.p1*v + f.p2*(f.b[d] + a);
-                m.v[d] = f.e*v + f.p1*f.b[d] + (f.p1 - f.late)*a;
-                m.w[d] = f.omegaC[d] + f.eSpin*(w - f.omegaC[d]) + f.earlySpin*turn;
-                impulse_[k][d] += mass(k)*(m.v[d] - v) - 0.5*h*l.f[d];
-                b.v[d] = m.v[d] + f.late*a;
-                b.w[d] = m.w[d] + f.lateSpin*turn;
-                square += std::max(v*v, b.v[d]*b.v[d]);
-            }
+                f.early, f.early, f.early, 0, f.earlySpin, f.earlySpin, f.earlySpin, 0
+            };
+            const Octet late{f.late, f.late, f.late, 0, f.lateSpin, f.lateSpin, f.lateSpin, 0};
+            const Octet driven
+            {
+                f.driven[0], f.driven[1], f.driven[2], 0,
+                f.drivenSpin[0], f.drivenSpin[1], f.drivenSpin[2], 0
+            };
+            const Octet kicked = kept*before + driven + early*change;
+            reinterpret_cast<Octet&>(m) = kicked;
+            const Octet after = kicked + late*change;
+            reinterpret_cast<LooseOctet&>(b.v) = after;
+            const Quad v = velocity(before), predicted = velocity(after);
+            const Quad b4{f.b[0], f.b[1], f.b[2], 0};
+            reinterpret_cast<Quad&>(b.x) += f.p1*v + f.p2*(b4 + velocity(change));
+            const Quad given =
+                mass(k)*(velocity(kicked) - v) - 0.5*h*reinterpret_cast<Quad&>(l.f);
+            for (int d = 0; d < 3; ++d) impulse_[k][d] += given[d];
+            const Quad squares = v*v, later = predicted*predicted;
+            square = 0;
+            for (int d = 0; d < 3; ++d) square += std::max(squares[d], later[d]);
         }
         else
         {
             Octet moving = reinterpret_cast<Octet&>(m);
-            const Octet perLoad = __builtin_shufflevector(moving, moving, 3, 3, 3, 3, 7, 7, 7, 7);
-            const Octet change = perLoad*reinterpret_cast<Octet&>(l);   // fourths are zero
+            const Octet perLoad =
+                __builtin_shufflevector(moving, moving, 3, 3, 3, 3, 7, 7, 7, 7);
+            const Octet change = perLoad*reinterpret_cast<Octet&>(l);
             moving += kick*change;
             reinterpret_cast<Octet&>(m) = moving;
             reinterpret_cast<LooseOctet&>(b.v) = moving + half*change;
-            Quad v = __builtin_shufflevector(moving, moving, 0, 1, 2, 3);
-            v[3] = 0;
+            const Quad v = velocity(moving);
             reinterpret_cast<Quad&>(b.x) += h*v;
             square = v[0]*v[0] + v[1]*v[1] + v[2]*v[2];
         }

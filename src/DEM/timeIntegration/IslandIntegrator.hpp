@@ -188,9 +188,10 @@ private:
     //- Flight over the current h, per particle
     struct Flight
     {
-        double e, p1, p2, late;
+        double e, p1, p2, early, late;
         double eSpin, earlySpin, lateSpin;
-        double b[3], omegaC[3];
+        double b[3];                        // [m/s2]
+        double driven[3], drivenSpin[3];    // what the gas adds over h [m/s], [rad/s]
     };
 
     //- Of all contacts of one particle, see contactPeriod.hpp
