@@ -1044,11 +1044,11 @@ double IslandIntegrator::drift(double h)
     typedef double Quad __attribute__((vector_size(32), may_alias));
     typedef double Octet __attribute__((vector_size(64), may_alias));
     typedef double LooseOctet __attribute__((vector_size(64), may_alias, aligned(32)));
-    const auto velocity = [](const Octet& o)
+    // not by value, which without AVX has another ABI
+    const auto velocity = [](const Octet& o, Quad& v)
     {
-        Quad v = __builtin_shufflevector(o, o, 0, 1, 2, 3);
+        v = __builtin_shufflevector(o, o, 0, 1, 2, 3);
         v[3] = 0;
-        return v;
     };
     const double kick = 0.5*(owed_ + h), half = 0.5*h;
     double fastest = 0;
@@ -1082,11 +1082,14 @@ double IslandIntegrator::drift(double h)
             reinterpret_cast<Octet&>(m) = kicked;
             const Octet after = kicked + late*change;
             reinterpret_cast<LooseOctet&>(b.v) = after;
-            const Quad v = velocity(before), predicted = velocity(after);
+            Quad v, a, u, predicted;
+            velocity(before, v);
+            velocity(change, a);
+            velocity(kicked, u);
+            velocity(after, predicted);
             const Quad b4{f.b[0], f.b[1], f.b[2], 0};
-            reinterpret_cast<Quad&>(b.x) += f.p1*v + f.p2*(b4 + velocity(change));
-            const Quad given =
-                mass(k)*(velocity(kicked) - v) - 0.5*h*reinterpret_cast<Quad&>(l.f);
+            reinterpret_cast<Quad&>(b.x) += f.p1*v + f.p2*(b4 + a);
+            const Quad given = mass(k)*(u - v) - 0.5*h*reinterpret_cast<Quad&>(l.f);
             for (int d = 0; d < 3; ++d) impulse_[k][d] += given[d];
             const Quad squares = v*v, later = predicted*predicted;
             square = 0;
@@ -1101,7 +1104,8 @@ double IslandIntegrator::drift(double h)
             moving += kick*change;
             reinterpret_cast<Octet&>(m) = moving;
             reinterpret_cast<LooseOctet&>(b.v) = moving + half*change;
-            const Quad v = velocity(moving);
+            Quad v;
+            velocity(moving, v);
             reinterpret_cast<Quad&>(b.x) += h*v;
             square = v[0]*v[0] + v[1]*v[1] + v[2]*v[2];
         }

@@ -57,8 +57,13 @@ struct recordingSlider : dem::rolling::springSlider
     )
     {
         const dem::V3<Real> trial = xi + roll;
-        const Real size = dem::squareRoot(dem::maximum(dot(trial, trial), Real(1e-290)));
-        dem::storeReal<Real>(excess, dem::maximum(size - c[1], Real(0))/c[1]);
+        const Real square = dot(trial, trial);
+        Real path(0);
+        if (dem::any(square > c[1]*c[1]))
+        {
+            path = dem::maximum(dem::squareRoot(square) - c[1], Real(0))/c[1];
+        }
+        dem::storeReal<Real>(excess, path);
         excess += dem::laneCount<Real>;
         return springSlider::evaluate<Real>(c, normal, roll, rollVelocity, xi);
     }
