@@ -115,6 +115,24 @@ public:
         Vec3 impulse = Vec3::Zero();
     };
 
+    //- Members in order of id, as moved in one particle step
+    struct Island
+    {
+        std::vector<Member> members;
+        StepReport report;
+        bool outran = false;    // one of them has left its search box
+
+        //- Whether `other`, not moved yet, would be moved to where this is
+        bool holdsFor(const std::vector<Member>& other) const
+        {
+            return !outran && std::equal
+            (
+                members.begin(), members.end(), other.begin(), other.end(),
+                [](const Member& a, const Member& b) { return a.p.id == b.p.id; }
+            );
+        }
+    };
+
     //- What the search needs to know of a particle in one particle step
     struct Path
     {
@@ -254,6 +272,7 @@ public:
     WallSearch walls;
     Periodic periodic;
     std::unique_ptr<IslandIntegrator> integrator;
+    std::map<std::int64_t, Island> tried;   // by component, from a try that was not enough
 
     std::vector<Particle> particles;
     std::vector<GasLoad> gas;
@@ -798,7 +817,7 @@ StepReport System::Implementation::advanceTogether
 
 //- Move everything, components as labelled. Particles that contacts have made so fast that
 //  they have left the box they were searched in may have missed others: false then, with
-//  their paths as fast as that and nothing moved
+//  their paths as fast as that and nothing moved; what holds good for the next try is kept
 bool System::Implementation::move
 (
     const Labels& labels, std::vector<Path>& paths, double dt,
@@ -810,7 +829,7 @@ bool System::Implementation::move
 
     // Sort out: closed-form flight, islands of this rank, islands moved elsewhere
     std::vector<std::size_t> flights;
-    std::map<std::int64_t, std::vector<Member>> islands;
+    std::map<std::int64_t, Island> islands;
     std::vector<std::vector<double>> away(std::size_t(communicator.size()));
     for (std::size_t i = 0; i < n; ++i)
     {
@@ -828,7 +847,7 @@ bool System::Implementation::move
         }
         else
         {
-            islands[labels.component[i]].push_back(member(i, paths[i].half));
+            islands[labels.component[i]].members.push_back(member(i, paths[i].half));
         }
     }
     for (const auto& from : communicator.exchange(away))
@@ -838,22 +857,38 @@ bool System::Implementation::move
         while (communicator.parallel() && p < end)
         {
             const std::int64_t component = std::int64_t(*p++);
-            islands[component].push_back(unpack(p));
+            islands[component].members.push_back(unpack(p));
         }
     }
     report.secondsSearch += since(clock);
 
     StepReport moved;
     std::vector<std::vector<double>> back(std::size_t(communicator.size()));
-    for (auto& island : islands)
+    for (auto& entry : islands)
     {
-        std::vector<Member>& members = island.second;
+        Island& island = entry.second;
+        std::vector<Member>& members = island.members;
         std::sort
         (
             members.begin(), members.end(),
             [](const Member& a, const Member& b) { return a.p.id < b.p.id; }
         );
-        if (!flyTogether(members, dt, moved)) integrate(members, dt, moved);
+        const auto before = tried.find(entry.first);
+        if (before != tried.end() && before->second.holdsFor(members))
+        {
+            std::swap(island, before->second);
+        }
+        else
+        {
+            std::vector<double> halves;
+            for (const Member& m : members) halves.push_back(m.half);
+            if (!flyTogether(members, dt, island.report)) integrate(members, dt, island.report);
+            for (std::size_t k = 0; k < members.size(); ++k)
+            {
+                island.outran = island.outran || members[k].half > halves[k];
+            }
+        }
+        moved.add(island.report);
         for (const Member& m : members)
         {
             if (m.owner != rank) pack(m, back[std::size_t(m.owner)]);
@@ -862,7 +897,7 @@ bool System::Implementation::move
     report.secondsContact += since(clock);
 
     // with those moved elsewhere, as an island of no id
-    std::vector<Member>& elsewhere = islands[-1];
+    std::vector<Member>& elsewhere = islands[-1].members;
     for (const auto& from : communicator.exchange(back))
     {
         const double* p = from.data();
@@ -870,9 +905,9 @@ bool System::Implementation::move
         while (communicator.parallel() && p < end) elsewhere.push_back(unpack(p));
     }
     bool outran = false;
-    for (const auto& island : islands)
+    for (const auto& entry : islands)
     {
-        for (const Member& m : island.second)
+        for (const Member& m : entry.second.members)
         {
             if (m.owner != rank || m.half <= paths[m.index].half) continue;
             Path& p = paths[m.index];
@@ -882,13 +917,16 @@ bool System::Implementation::move
     }
     if (communicator.any(outran))
     {
+        islands.erase(-1);
+        tried.swap(islands);
         report.repeats += communicator.rank() == 0;
         report.secondsSearch += since(clock);
         return false;
     }
-    for (const auto& island : islands)
+    tried.clear();
+    for (const auto& entry : islands)
     {
-        for (const Member& m : island.second) if (m.owner == rank) takeBack(m);
+        for (const Member& m : entry.second.members) if (m.owner == rank) takeBack(m);
     }
     report.add(moved);
     report.secondsSearch += since(clock);
