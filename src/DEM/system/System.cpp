@@ -698,6 +698,7 @@ StepReport System::Implementation::advance(double dt)
     StepReport report;
     Clock::time_point clock = Clock::now();
     const std::size_t n = particles.size();
+    tried.clear();      // an earlier step may have ended in an error
     bool active = false;
     for (std::size_t i = 0; i < n && !active; ++i) active = awake(i);
     if (!communicator.any(active))
