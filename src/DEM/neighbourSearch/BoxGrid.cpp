@@ -6,17 +6,26 @@ namespace dem
 
 BoxGrid::BoxGrid(const std::vector<Box>& boxes, const Periodic& periodic)
 :
-    boxes_(boxes),
-    periodic_(periodic)
+    boxes_(boxes)
 {
-    if (boxes.empty()) return;
-    if (periodic.on())
+    build(periodic);
+}
+
+
+void BoxGrid::build(const Periodic& periodic)
+{
+    periodic_ = periodic;
+    farthest_ = 0;
+    entries_.clear();
+    if (boxes_.empty()) return;
+    if (periodic_.on())
     {
-        all_ = boxes;
-        for (std::size_t i = 0; i < boxes.size(); ++i)
+        all_ = boxes_;
+        original_.clear();
+        for (std::size_t i = 0; i < boxes_.size(); ++i)
         {
             bool first = true;      // the box itself
-            images(boxes[i], [&](const Box& image)
+            images(boxes_[i], [&](const Box& image)
             {
                 if (!first)
                 {
@@ -27,7 +36,14 @@ BoxGrid::BoxGrid(const std::vector<Box>& boxes, const Periodic& periodic)
             });
         }
     }
-    const std::vector<Box>& all = periodic.on() ? all_ : boxes_;
+    const std::vector<Box>& all = periodic_.on() ? all_ : boxes_;
+
+    middles_.resize(boxes_.size());
+    for (std::size_t i = 0; i < boxes_.size(); ++i)
+    {
+        middles_[i] = boxes_[i].middle();
+        changed(int(i));
+    }
 
     Vec3 low = all[0].middle(), high = low;
     for (const Box& b : all)
@@ -55,6 +71,14 @@ BoxGrid::BoxGrid(const std::vector<Box>& boxes, const Periodic& periodic)
 }
 
 
+void BoxGrid::changed(int i)
+{
+    const Box& b = boxes_[std::size_t(i)];
+    const Vec3& middle = middles_[std::size_t(i)];
+    farthest_ = std::max({farthest_, (b.high - middle).maxCoeff(), (middle - b.low).maxCoeff()});
+}
+
+
 //- By key, then by box: radix sort, which leaves equal keys in their order
 void BoxGrid::sort()
 {
@@ -70,7 +94,8 @@ void BoxGrid::sort()
     constexpr int bits = 11;
     constexpr std::size_t buckets = std::size_t(1) << bits;
     const std::int64_t most = cells_[0]*cells_[1]*cells_[2];
-    std::vector<Entry> other(entries_.size());
+    std::vector<Entry>& other = scratch_;
+    other.resize(entries_.size());
     for (int shift = 0; shift < 63 && (most >> shift) > 0; shift += bits)
     {
         std::size_t start[buckets + 1] = {};

@@ -52,15 +52,20 @@ public:
     //- The boxes stay the caller's. Where there is a period, their middles are inside it.
     explicit BoxGrid(const std::vector<Box>& boxes, const Periodic& periodic = {});
 
+    //- Sort the caller's boxes, as they are now
+    void build(const Periodic& periodic);
+
     //- Calls found(i, j), i < j, for each pair of boxes that overlap, in no fixed order; a
     //  pair may be found twice where there is a period
     template<class Found>
     void pairs(Found&& found) const;
 
-    //- Calls found(j) for each box j that overlaps b. The boxes may have grown since the
-    //  grid was made: `half` is the largest half width that any of them has now.
+    //- To be told when the caller has changed box i
+    void changed(int i);
+
+    //- Calls found(j) for each box j that overlaps b
     template<class Found>
-    void overlapping(const Box& b, double half, Found&& found) const;
+    void overlapping(const Box& b, Found&& found) const;
 
 
 private:
@@ -92,7 +97,9 @@ private:
     Vec3 low_ = Vec3::Zero();
     double size_ = 1;
     std::int64_t cells_[3] = {1, 1, 1};
-    std::vector<Entry> entries_;
+    std::vector<Entry> entries_, scratch_;
+    std::vector<Vec3> middles_;     // when the grid was made
+    double farthest_ = 0;           // side of any box from there, along an axis
 };
 
 
@@ -174,8 +181,9 @@ void BoxGrid::images(const Box& b, F&& f) const
 
 
 template<class Found>
-void BoxGrid::overlapping(const Box& b, double half, Found&& found) const
+void BoxGrid::overlapping(const Box& b, Found&& found) const
 {
+    const double half = farthest_;
     // boxes that stick out of the period reach b from the other side
     const Box wide{b.low.array() - half, b.high.array() + half};
     images(wide, [&](const Box& region)

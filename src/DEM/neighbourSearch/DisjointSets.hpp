@@ -38,14 +38,6 @@ public:
         parent_[std::max(a, b)] = std::min(a, b);
     }
 
-    //- The root of the largest set; 0 where there is none
-    std::size_t largest()
-    {
-        std::vector<std::size_t> count(parent_.size());
-        for (std::size_t i = 0; i < count.size(); ++i) ++count[find(i)];
-        return std::size_t(std::max_element(count.begin(), count.end()) - count.begin());
-    }
-
 private:
 
     std::vector<std::size_t> parent_;

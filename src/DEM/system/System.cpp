@@ -34,8 +34,9 @@ double since(Clock::time_point& start)
     return seconds;
 }
 
-// Search boxes allow for speeds above the fastest member's, and for small motions of what
-// holds together; where that turns out not to be enough the particle step is repeated
+// Whoever can be pushed is searched for along the mean motion of all that it can meet, as far
+// from that as the fastest of them gets and some more, and with small motions of what holds
+// together; where that turns out not to be enough the particle step is repeated
 constexpr double speedMargin = 1.2;
 constexpr double leastPath = 1e-3;      // [radii]
 
@@ -56,7 +57,8 @@ public:
         time(t),
         communicator(c),
         walls(Walls{}),
-        integrator(std::make_unique<IslandIntegrator>(materials, time, walls, periodic))
+        integrator(std::make_unique<IslandIntegrator>(materials, time, walls, periodic)),
+        grid(boxes)
     {
         if (!(time.stepsPerContact >= TimeSettings::fewestStepsPerContact))
         {
@@ -108,8 +110,9 @@ public:
         GasLoad gas;
         RestState rest;
         std::vector<ContactRecord> contacts;
-        double half;        // half width of its search box beyond radius and reach [m];
-                            // when moved: that it should have had, if more
+        bool pushed;        // off the path that it has on its own
+        Vec3 along;         // it stays near a point that flies with this [m/s]
+        double half;        // how far from there it may get [m]; when moved: or has got, if more
         int owner;
         std::size_t index;  // on its owner
         Vec3 impulse = Vec3::Zero();
@@ -133,33 +136,40 @@ public:
         }
     };
 
-    //- What the search needs to know of a particle in one particle step
+    //- What the search needs to know of a particle in one particle step: it comes no farther
+    //  than `spread` from a point that flies at v
     struct Path
     {
         Vec3 x, v;
         double size;        // radius and reach of its contacts [m]
-        double bend;        // how far from the straight line it can get on its own [m]
-        double speed;       // the fastest it can be on its own, or was when tried [m/s]
-        bool deviates;      // can be pushed off the path it has on its own
-        double half;        // where it can then get to: half width beyond size [m]
+        double spread;      // [m]
+        Vec3 own;           // velocity it has on its own [m/s]
+        double gain;        // what can come to that on its own [m/s]
+        bool pushed;        // contacts can push it off the path it has on its own
+        bool held;          // at rest, or a wall can push it
+        bool joint = false;     // v and spread are those of all that it can meet
+        double least = 0;   // speed beyond v that it has had in a try [m/s]
     };
 
-    struct Labels
+    //- Of all that a particle can meet
+    struct Label
     {
-        std::vector<std::int64_t> component;    // by particle: lowest id
-        std::vector<double> speed;              // fastest member's bound [m/s]
-        std::vector<char> active;               // some member is awake
-        std::vector<char> shared;               // spans ranks
-        std::vector<char> alone;                // one particle or rigid aggregate that
-                                                // nothing pushes off its path
-        std::vector<int> home;                  // rank that moves it
+        std::int64_t component; // lowest id
+        Vec3 velocity;          // mean; 0 where anything is held [m/s]
+        double speed;           // fastest member's bound, beyond that [m/s]
+        bool active;            // some member is awake
+        bool shared;            // spans ranks
+        bool alone;             // one particle or rigid aggregate that nothing pushes off its
+                                // path
+        int home;               // rank that moves it
     };
 
     Path path(std::size_t i, double dt) const
     {
         const Particle& p = particles[i];
         const double size = p.radius + reach[i];
-        if (!awake(i)) return {p.x, Vec3::Zero(), size, 0, 0, false, 0};
+        const Vec3 still = Vec3::Zero();
+        if (!awake(i)) return {p.x, still, size, 0, still, 0, false, true};
         const GasLoad& g = gas[i];
         const Vec3 force = g.Sp*(g.Uc - p.v) + g.Su;
         if (flies(i))
@@ -172,13 +182,13 @@ public:
             const double pull = ((force + held)/p.mass - p.omega.cross(turning)).norm();
             const double round = p.omega.norm()*arm.norm();
             const double bend = std::min(2*arm.norm(), round*dt) + 0.5*pull*dt*dt;
-            return {p.x, V, size, bend, V.norm() + round + pull*dt, false, 0};
+            const double spread = bend + leastPath*p.radius;
+            return {p.x, V, size, spread, V, round + pull*dt, false, false};
         }
         const FlightFactors f(g.Sp/p.mass, dt);
         const double pull = force.norm()/p.mass;
-        const double speed = p.v.norm() + pull*f.p1;
         const bool touches = rest[i].inContact || !contacts[i].empty();
-        return {p.x, p.v, size, 0.5*pull*dt*dt, speed, touches, halfWidth(i, speed, dt)};
+        return {p.x, p.v, size, 0.5*pull*dt*dt, p.v, pull*f.p1, touches, false};
     }
 
     //- How far particle i can be pushed at speeds about `speed` [m]
@@ -190,31 +200,33 @@ public:
     //- Where a particle can get to
     Box box(std::size_t i, const Path& p, double dt) const
     {
-        if (p.deviates || p.speed == 0)
-        {
-            const double r = p.size + p.half;
-            return {p.x.array() - r, p.x.array() + r};
-        }
         Box b;
-        if (flies(i))
+        double around = p.size;
+        if (p.joint || flies(i) || !awake(i))
         {
             const Vec3 end = p.x + dt*p.v;
-            const double r = p.size + p.bend;
-            return {p.x.cwiseMin(end).array() - r, p.x.cwiseMax(end).array() + r};
+            b = {p.x.cwiseMin(end), p.x.cwiseMax(end)};
+            around += p.spread;
         }
-        flightBox(particles[i], gas[i], dt, b.low, b.high);
-        return {b.low.array() - p.size, b.high.array() + p.size};
+        else flightBox(particles[i], gas[i], dt, b.low, b.high);
+        return {b.low.array() - around, b.high.array() + around};
+    }
+
+    bool wallWithin(const Box& b) const
+    {
+        static thread_local std::vector<int> surfaces;
+        walls.query(b.low, b.high, surfaces);
+        return !surfaces.empty();
     }
 
     //- Whether two whose boxes overlap can come as close as a contact
     bool meet(const Path& a, const Path& b, double dt) const
     {
-        if (a.deviates || b.deviates) return true;
         const Vec3 d = periodic.nearest(b.x - a.x), u = b.v - a.v;
         const double square = u.squaredNorm();
         const double t =
             square > 0 ? std::min(std::max(-d.dot(u)/square, 0.0), dt) : 0;
-        const double near = a.size + b.size + a.bend + b.bend;
+        const double near = a.size + b.size + a.spread + b.spread;
         return (d + t*u).squaredNorm() <= near*near;
     }
 
@@ -226,27 +238,20 @@ public:
         return flies(i) || !rest[i].resting || wakes(rest[i], gas[i]);
     }
 
-    Labels label
-    (
-        DisjointSets& sets, const std::vector<Box>& boxes, const std::vector<Path>& paths,
-        double dt
-    ) const;
+    void addToCrowd(std::size_t i);
+    std::size_t label(DisjointSets& sets, double dt);
     bool flyTogether(std::vector<Member>& members, double dt, StepReport& report);
     void integrate(std::vector<Member>& members, double dt, StepReport& report);
     StepReport advance(double dt);
-    StepReport advanceTogether(double dt, std::vector<Path>& paths, StepReport& report);
-    bool move
-    (
-        const Labels& labels, std::vector<Path>& paths, double dt,
-        StepReport& report, Clock::time_point& clock
-    );
+    StepReport advanceTogether(double dt, StepReport& report);
+    bool move(double dt, StepReport& report, Clock::time_point& clock);
     void finish(double dt, StepReport& report);
 
-    Member member(std::size_t i, double half) const
+    Member member(std::size_t i, const Path& p) const
     {
         return
         {
-            particles[i], gas[i], rest[i], contacts[i], half,
+            particles[i], gas[i], rest[i], contacts[i], p.joint, p.v, p.spread,
             communicator.rank(), i, Vec3::Zero()
         };
     }
@@ -273,6 +278,14 @@ public:
     Periodic periodic;
     std::unique_ptr<IslandIntegrator> integrator;
     std::map<std::int64_t, Island> tried;   // by component, from a try that was not enough
+
+    // Of one particle step
+    std::vector<Path> paths;
+    std::vector<Box> boxes;
+    BoxGrid grid;                       // of boxes
+    std::vector<std::size_t> crowd;     // who can meet somebody, or is pushed
+    std::vector<char> crowded;          // by particle: it is one of them
+    std::vector<Label> labels;          // of the crowd
 
     std::vector<Particle> particles;
     std::vector<GasLoad> gas;
@@ -356,7 +369,7 @@ void System::Implementation::pack(const Member& m, std::vector<double>& to)
         to.end(),
         {
             double(m.p.id), double(m.p.material), m.p.radius, m.p.mass,
-            m.half, double(m.owner), double(m.index), double(m.contacts.size()),
+            double(m.pushed), m.half, double(m.owner), double(m.index), double(m.contacts.size()),
             m.gas.Sp, m.gas.SpOmega
         }
     );
@@ -367,6 +380,7 @@ void System::Implementation::pack(const Member& m, std::vector<double>& to)
     put(m.gas.Su);
     put(m.gas.omegaC);
     put(m.impulse);
+    put(m.along);
     packRest(m.rest, m.contacts, to);
 }
 
@@ -379,13 +393,14 @@ System::Implementation::Member System::Implementation::unpack(const double*& fro
     m.p.material = int(from[1]);
     m.p.radius = from[2];
     m.p.mass = from[3];
-    m.half = from[4];
-    m.owner = int(from[5]);
-    m.index = std::size_t(from[6]);
-    const std::size_t nContacts = std::size_t(from[7]);
-    m.gas.Sp = from[8];
-    m.gas.SpOmega = from[9];
-    from += 10;
+    m.pushed = from[4] > 0;
+    m.half = from[5];
+    m.owner = int(from[6]);
+    m.index = std::size_t(from[7]);
+    const std::size_t nContacts = std::size_t(from[8]);
+    m.gas.Sp = from[9];
+    m.gas.SpOmega = from[10];
+    from += 11;
     m.p.x = get();
     m.p.v = get();
     m.p.omega = get();
@@ -393,6 +408,7 @@ System::Implementation::Member System::Implementation::unpack(const double*& fro
     m.gas.Su = get();
     m.gas.omegaC = get();
     m.impulse = get();
+    m.along = get();
     unpackRest(from, nContacts, m.rest, m.contacts);
     from += restNumbers + nContacts*contactNumbers;
     return m;
@@ -401,48 +417,24 @@ System::Implementation::Member System::Implementation::unpack(const double*& fro
 
 // * * * * * * * * * * * * * * * * Who can meet whom * * * * * * * * * * * * * * * * * * //
 
-//- Components of particles that can meet; `sets` says which of this rank belong together
-System::Implementation::Labels System::Implementation::label
-(
-    DisjointSets& sets, const std::vector<Box>& boxes, const std::vector<Path>& paths,
-    double dt
-) const
+void System::Implementation::addToCrowd(std::size_t i)
+{
+    if (crowded[i]) return;
+    crowded[i] = 1;
+    crowd.push_back(i);
+}
+
+
+//- Label the components of particles that can meet; `sets` says which of this rank belong
+//  together. Returns how many are not in the largest of these sets.
+std::size_t System::Implementation::label(DisjointSets& sets, double dt)
 {
     const std::size_t n = particles.size();
-    struct Component
-    {
-        std::int64_t id;
-        double speed = 0;
-        bool active = false;
-        bool shared = false;
-        int home;
-        std::int64_t unit;      // particle or rigid aggregate; -1 = several
-        bool deviates = false;
-        std::size_t count = 0;
-    };
-    std::vector<Component> components(n);
-    for (std::size_t i = 0; i < n; ++i)
-    {
-        Component& c = components[sets.find(i)];
-        const std::int64_t unit = flies(i) ? rest[i].aggregate : particles[i].id;
-        if (!c.count)
-        {
-            c.id = particles[i].id;
-            c.home = communicator.rank();
-            c.unit = unit;
-        }
-        if (c.unit != unit) c.unit = -1;
-        c.deviates = c.deviates || paths[i].deviates;
-        c.id = std::min(c.id, particles[i].id);
-        c.speed = std::max(c.speed, paths[i].speed);
-        c.active = c.active || awake(i);
-        ++c.count;
-    }
 
+    // Particles that reach into the box of another rank's particles are shown to all
+    std::vector<std::size_t> shownOnes;
     if (communicator.parallel())
     {
-        // Particles that reach into the box of another rank's particles are shown to all;
-        // everybody joins the same components in the same way.
         std::vector<double> mine;
         if (n)
         {
@@ -452,8 +444,6 @@ System::Implementation::Labels System::Implementation::label
             mine.insert(mine.end(), all.high.data(), all.high.data() + 3);
         }
         const auto domains = communicator.allGather(mine);
-
-        std::vector<double> shown;
         for (std::size_t i = 0; i < n; ++i)
         {
             bool out = false;
@@ -464,7 +454,83 @@ System::Implementation::Labels System::Implementation::label
                 out = boxes[i].overlaps({{d[0], d[1], d[2]}, {d[3], d[4], d[5]}});
             }
             if (!out) continue;
-            const Component& c = components[sets.find(i)];
+            shownOnes.push_back(i);
+            addToCrowd(i);
+        }
+    }
+
+    struct Component
+    {
+        std::int64_t id;
+        double mass = 0;
+        Vec3 momentum = Vec3::Zero();
+        double speed = 0;
+        bool active = false;
+        bool shared = false;
+        int home;
+        std::int64_t unit;      // particle or rigid aggregate; -1 = several
+        bool pushed = false;
+        bool held = false;
+        std::size_t count = 0;
+
+        void add(const Component& other)
+        {
+            mass += other.mass;
+            momentum += other.momentum;
+            active = active || other.active;
+            if (unit != other.unit) unit = -1;
+            pushed = pushed || other.pushed;
+            held = held || other.held;
+        }
+
+        Vec3 velocity() const { return held ? Vec3(Vec3::Zero()) : Vec3(momentum/mass); }
+    };
+    std::vector<Component> components;
+    std::vector<std::size_t> componentOf(crowd.size());
+    static thread_local std::vector<std::size_t> ofRoot;    // all 0 between calls
+    ofRoot.resize(std::max(ofRoot.size(), n), 0);
+    for (std::size_t k = 0; k < crowd.size(); ++k)
+    {
+        const std::size_t i = crowd[k];
+        std::size_t& of = ofRoot[sets.find(i)];
+        const std::int64_t unit = flies(i) ? rest[i].aggregate : particles[i].id;
+        if (!of)
+        {
+            components.emplace_back();
+            of = components.size();
+            components.back().id = particles[i].id;
+            components.back().home = communicator.rank();
+            components.back().unit = unit;
+        }
+        componentOf[k] = of - 1;
+        Component& c = components[of - 1];
+        const Path& p = paths[i];
+        const double mass = particles[i].mass;
+        Component one;
+        one.mass = mass;
+        one.momentum = mass*p.own;
+        one.active = awake(i);
+        one.unit = unit;
+        one.pushed = p.pushed;
+        one.held = p.held;
+        c.add(one);
+        c.id = std::min(c.id, particles[i].id);
+        ++c.count;
+    }
+    std::size_t largest = 1;
+    for (const Component& c : components) largest = std::max(largest, c.count);
+    std::vector<std::size_t> ofShown;
+    for (const std::size_t i : shownOnes) ofShown.push_back(ofRoot[sets.find(i)] - 1);
+    for (const std::size_t i : crowd) ofRoot[sets.find(i)] = 0;
+
+    if (communicator.parallel())
+    {
+        // everybody joins the same components in the same way
+        std::vector<double> shown;
+        for (std::size_t m = 0; m < shownOnes.size(); ++m)
+        {
+            const std::size_t i = shownOnes[m];
+            const Component& c = components[ofShown[m]];
             shown.insert
             (
                 shown.end(), boxes[i].low.data(), boxes[i].low.data() + 3
@@ -478,15 +544,15 @@ System::Implementation::Labels System::Implementation::label
             (
                 shown.end(),
                 {
-                    double(c.id), c.speed, double(c.active), double(p.deviates),
-                    p.size, p.bend, p.x[0], p.x[1], p.x[2], p.v[0], p.v[1], p.v[2],
-                    double(c.unit), double(c.deviates)
+                    p.x[0], p.x[1], p.x[2], p.v[0], p.v[1], p.v[2], p.size, p.spread,
+                    double(c.id), c.mass, c.momentum[0], c.momentum[1], c.momentum[2],
+                    double(c.active), double(c.unit), double(c.pushed), double(c.held)
                 }
             );
         }
         const auto everybody = communicator.allGather(shown);
 
-        constexpr std::size_t numbers = 20;
+        constexpr std::size_t numbers = 23;
         std::vector<Box> all;
         std::vector<Path> allPaths;
         std::vector<std::int64_t> ids;
@@ -498,20 +564,23 @@ System::Implementation::Labels System::Implementation::label
             for (std::size_t k = 0; k + numbers <= s.size(); k += numbers)
             {
                 all.push_back({{s[k], s[k+1], s[k+2]}, {s[k+3], s[k+4], s[k+5]}});
-                allPaths.push_back
-                ({
-                    {s[k+12], s[k+13], s[k+14]}, {s[k+15], s[k+16], s[k+17]},
-                    s[k+10], s[k+11], 0, s[k+9] > 0, 0
-                });
-                const std::int64_t id = std::int64_t(s[k+6]);
+                Path p;
+                p.x = {s[k+6], s[k+7], s[k+8]};
+                p.v = {s[k+9], s[k+10], s[k+11]};
+                p.size = s[k+12];
+                p.spread = s[k+13];
+                allPaths.push_back(p);
+                const std::int64_t id = std::int64_t(s[k+14]);
                 ids.push_back(id);
                 ranks.push_back(r);
                 Component& c = joined[id];
                 c.id = id;
-                c.speed = s[k+7];
-                c.active = s[k+8] > 0;
-                c.unit = std::int64_t(s[k+18]);
-                c.deviates = s[k+19] > 0;
+                c.mass = s[k+15];
+                c.momentum = {s[k+16], s[k+17], s[k+18]};
+                c.active = s[k+19] > 0;
+                c.unit = std::int64_t(s[k+20]);
+                c.pushed = s[k+21] > 0;
+                c.held = s[k+22] > 0;
                 c.home = r;
             }
         }
@@ -538,43 +607,61 @@ System::Implementation::Labels System::Implementation::label
                 parent[high] = low;
                 Component& to = joined[low];
                 const Component& from = joined[high];
-                to.speed = std::max(to.speed, from.speed);
-                to.active = to.active || from.active;
-                to.deviates = to.deviates || from.deviates;
-                if (to.unit != from.unit) to.unit = -1;
+                to.add(from);
                 to.shared = true;
             }
         );
 
         for (Component& c : components)
         {
-            if (!c.count) continue;
             const auto found = joined.find(root(c.id));
-            if (found == joined.end() || !found->second.shared) continue;
-            const std::size_t count = c.count;
-            c = found->second;
-            c.count = count;
+            if (found != joined.end() && found->second.shared) c = found->second;
         }
     }
 
-    Labels labels;
-    labels.component.resize(n);
-    labels.speed.resize(n);
-    labels.active.resize(n);
-    labels.shared.resize(n);
-    labels.alone.resize(n);
-    labels.home.resize(n);
-    for (std::size_t i = 0; i < n; ++i)
+    // how fast they are beyond the velocity of their component
+    for (std::size_t k = 0; k < crowd.size(); ++k)
     {
-        const Component& c = components[sets.find(i)];
-        labels.component[i] = c.id;
-        labels.speed[i] = c.speed;
-        labels.active[i] = c.active;
-        labels.shared[i] = c.shared;
-        labels.alone[i] = c.unit >= 0 && !c.deviates;
-        labels.home[i] = c.home;
+        const std::size_t i = crowd[k];
+        Component& c = components[componentOf[k]];
+        const Path& p = paths[i];
+        // contacts can turn spin into speed
+        const double beyond = std::sqrt
+        (
+            (p.own - c.velocity()).squaredNorm()
+          + 0.4*particles[i].omega.squaredNorm()*particles[i].radius*particles[i].radius
+        );
+        c.speed = std::max({c.speed, beyond + p.gain, p.least});
     }
-    return labels;
+    if (communicator.parallel())
+    {
+        std::map<std::int64_t, double> fastest;
+        std::vector<double> mine;
+        for (const Component& c : components)
+        {
+            if (c.shared) mine.insert(mine.end(), {double(c.id), c.speed});
+        }
+        for (const auto& from : communicator.allGather(mine))
+        {
+            for (std::size_t k = 0; k < from.size(); k += 2)
+            {
+                double& speed = fastest[std::int64_t(from[k])];
+                speed = std::max(speed, from[k + 1]);
+            }
+        }
+        for (Component& c : components) if (c.shared) c.speed = fastest[c.id];
+    }
+
+    labels.resize(crowd.size());
+    for (std::size_t k = 0; k < crowd.size(); ++k)
+    {
+        const Component& c = components[componentOf[k]];
+        labels[k] =
+        {
+            c.id, c.velocity(), c.speed, c.active, c.shared, c.unit >= 0 && !c.pushed, c.home
+        };
+    }
+    return n - std::min(n, largest);
 }
 
 
@@ -590,8 +677,7 @@ bool System::Implementation::flyTogether
     std::vector<GasLoad> loads;
     for (const Member& m : members)
     {
-        // pushed by others, or met by walls
-        if (m.rest.aggregate != first.aggregate || m.half > 0) return false;
+        if (m.rest.aggregate != first.aggregate || m.pushed) return false;
         flyers.push_back(m.p);
         loads.push_back(m.gas);
     }
@@ -648,7 +734,11 @@ void System::Implementation::integrate
     {
         const double half =
             m.p.radius + materials.reach(m.p.material, m.p.radius) + m.half;
-        walls.query(m.p.x.array() - half, m.p.x.array() + half, surfaces);
+        const Vec3 end = m.p.x + dt*m.along;
+        walls.query
+        (
+            m.p.x.cwiseMin(end).array() - half, m.p.x.cwiseMax(end).array() + half, surfaces
+        );
         local.emplace(m.p.id, int(local.size()));
         RestState state = m.rest;
         if (state.aggregate >= 0)
@@ -658,7 +748,7 @@ void System::Implementation::integrate
             state.aggregate = -1;
             ++report.wakes;
         }
-        island.addParticle(m.p, m.gas, state, m.half);
+        island.addParticle(m.p, m.gas, state, m.half, m.along);
         island.addSurfaces(surfaces);
     }
 
@@ -708,68 +798,87 @@ StepReport System::Implementation::advance(double dt)
         return report;
     }
 
-    std::vector<Path> paths(n);
-    std::vector<Box> boxes(n);
-    std::vector<int> surfaces;
+    paths.resize(n);
+    boxes.resize(n);
+    crowd.clear();
+    crowded.assign(n, 0);
     for (std::size_t i = 0; i < n; ++i)
     {
         impulse[i] = Vec3::Zero();
-        paths[i] = path(i, dt);
-        boxes[i] = box(i, paths[i], dt);
-        if (awake(i) && !paths[i].deviates)
-        {
-            walls.query(boxes[i].low, boxes[i].high, surfaces);
-            paths[i].deviates = !surfaces.empty();
-            if (paths[i].deviates) boxes[i] = box(i, paths[i], dt);
-        }
+        Path& p = paths[i] = path(i, dt);
+        boxes[i] = box(i, p, dt);
+        if (!awake(i)) continue;
+        p.held = wallWithin(boxes[i]);
+        p.pushed = p.pushed || p.held;
     }
-    if (!time.islands) return advanceTogether(dt, paths, report);
+    if (!time.islands) return advanceTogether(dt, report);
 
-    // First by the paths that all have on their own; then whoever can be hit may become as
+    // First by the paths that all have on their own; then whoever can be pushed may become as
     // fast as the fastest of its component, and hit others, until nobody is added
-    const BoxGrid grid(boxes, periodic);
+    grid.build(periodic);
     DisjointSets sets(n);
-    const auto join = [&](int i, int j)
+    grid.pairs([&](int i, int j)
     {
         const std::size_t a = std::size_t(i), b = std::size_t(j);
-        if (meet(paths[a], paths[b], dt)) sets.join(a, b);
-    };
-    grid.pairs(join);
-    Labels labels;
-    std::vector<std::size_t> widened, others;
-    double widest = 0;
-    for (const Box& b : boxes) widest = std::max(widest, 0.5*(b.high - b.low).maxCoeff());
+        if (!meet(paths[a], paths[b], dt)) return;
+        sets.join(a, b);
+        crowded[a] = crowded[b] = 1;
+    });
+    for (std::size_t i = 0; i < n; ++i)
+    {
+        crowded[i] = crowded[i] || paths[i].pushed || flies(i);
+        if (crowded[i]) crowd.push_back(i);
+    }
+    std::vector<std::size_t> widened, asked;
     for (;;)
     {
-        labels = label(sets, boxes, paths, dt);
+        const std::size_t outside = label(sets, dt);
         widened.clear();
-        for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t k = 0; k < crowd.size(); ++k)
         {
+            const std::size_t i = crowd[k];
+            const Label& of = labels[k];
             Path& p = paths[i];
-            if (!labels.active[i] || labels.alone[i]) continue;
-            const double half = halfWidth(i, labels.speed[i], dt);
-            if (p.deviates && p.half >= half) continue;
-            p.deviates = true;
-            p.half = std::max(p.half, half);
+            if (!of.active || of.alone) continue;
+            const double half = halfWidth(i, of.speed, dt);
+            if (p.joint && p.v == of.velocity && p.spread >= half) continue;
+            p.joint = true;
+            p.v = of.velocity;
+            p.spread = half;
             boxes[i] = box(i, p, dt);
-            widest = std::max(widest, p.size + p.half);
+            grid.changed(int(i));
+            p.held = p.held || wallWithin(boxes[i]);
             widened.push_back(i);
         }
         if (!communicator.any(!widened.empty()))
         {
-            if (move(labels, paths, dt, report, clock)) return report;
+            if (move(dt, report, clock)) return report;
             continue;
         }
-        // every pair that is not together yet has a partner outside the largest component
-        const std::size_t largest = sets.largest();
-        others.clear();
-        for (std::size_t i = 0; i < n; ++i)
+        // every pair that is not together yet has a partner outside the largest set
+        asked.swap(widened);
+        if (outside < asked.size())
         {
-            if (sets.find(i) != largest) others.push_back(i);
+            std::vector<std::size_t> count(n);
+            for (std::size_t i = 0; i < n; ++i) ++count[sets.find(i)];
+            const std::size_t largest =
+                std::size_t(std::max_element(count.begin(), count.end()) - count.begin());
+            asked.clear();
+            for (std::size_t i = 0; i < n; ++i)
+            {
+                if (sets.find(i) != largest) asked.push_back(i);
+            }
         }
-        for (const std::size_t i : widened.size() < others.size() ? widened : others)
+        for (const std::size_t i : asked)
         {
-            grid.overlapping(boxes[i], widest, [&](int j) { join(int(i), j); });
+            grid.overlapping(boxes[i], [&](int other)
+            {
+                const std::size_t j = std::size_t(other);
+                if (!meet(paths[i], paths[j], dt)) return;
+                sets.join(i, j);
+                addToCrowd(i);
+                addToCrowd(j);
+            });
         }
     }
 }
@@ -777,10 +886,7 @@ StepReport System::Implementation::advance(double dt)
 
 //- Everything in one island with the step of the stiffest possible contact: what a
 //  conventional DEM code does. On the rank of the lowest id.
-StepReport System::Implementation::advanceTogether
-(
-    double dt, std::vector<Path>& paths, StepReport& report
-)
+StepReport System::Implementation::advanceTogether(double dt, StepReport& report)
 {
     Clock::time_point clock = Clock::now();
     const std::size_t n = particles.size();
@@ -794,24 +900,31 @@ StepReport System::Implementation::advanceTogether
     const double first = -communicator.max(-lowest);
     const double home = communicator.max(first == lowest ? communicator.rank() : -1);
 
-    Labels labels;
-    labels.component.assign(n, std::int64_t(first));
-    labels.active.assign(n, 1);
-    labels.shared.assign(n, communicator.parallel());
-    labels.alone.assign(n, 0);
-    labels.home.assign(n, int(home));
+    for (std::size_t i = 0; i < n; ++i) addToCrowd(i);
+    labels.assign
+    (
+        n,
+        {
+            std::int64_t(first), Vec3::Zero(), 0, true, communicator.parallel(), false,
+            int(home)
+        }
+    );
     do
     {
         double fastest = 0;
-        for (const Path& p : paths) fastest = std::max(fastest, p.speed);
+        for (const Path& p : paths)
+        {
+            fastest = std::max({fastest, p.own.norm() + p.gain, p.least});
+        }
         fastest = communicator.max(fastest);
         for (std::size_t i = 0; i < n; ++i)
         {
-            paths[i].deviates = true;
-            paths[i].half = halfWidth(i, fastest, dt);
+            paths[i].joint = true;
+            paths[i].v = Vec3::Zero();
+            paths[i].spread = halfWidth(i, fastest, dt);
         }
     }
-    while (!move(labels, paths, dt, report, clock));
+    while (!move(dt, report, clock));
     return report;
 }
 
@@ -819,11 +932,7 @@ StepReport System::Implementation::advanceTogether
 //- Move everything, components as labelled. Particles that contacts have made so fast that
 //  they have left the box they were searched in may have missed others: false then, with
 //  their paths as fast as that and nothing moved; what holds good for the next try is kept
-bool System::Implementation::move
-(
-    const Labels& labels, std::vector<Path>& paths, double dt,
-    StepReport& report, Clock::time_point& clock
-)
+bool System::Implementation::move(double dt, StepReport& report, Clock::time_point& clock)
 {
     const std::size_t n = particles.size();
     const int rank = communicator.rank();
@@ -834,22 +943,21 @@ bool System::Implementation::move
     std::vector<std::vector<double>> away(std::size_t(communicator.size()));
     for (std::size_t i = 0; i < n; ++i)
     {
-        if (!labels.active[i]) continue;
-        if (labels.alone[i] && !flies(i))
+        if (!crowded[i] && awake(i)) flights.push_back(i);
+    }
+    for (std::size_t k = 0; k < crowd.size(); ++k)
+    {
+        const std::size_t i = crowd[k];
+        const Label& of = labels[k];
+        if (!of.active) continue;
+        if (of.alone && !flies(i)) flights.push_back(i);
+        else if (of.shared && of.home != rank)
         {
-            flights.push_back(i);
-            continue;
+            std::vector<double>& to = away[std::size_t(of.home)];
+            to.push_back(double(of.component));
+            pack(member(i, paths[i]), to);
         }
-        if (labels.shared[i] && labels.home[i] != rank)
-        {
-            std::vector<double>& to = away[std::size_t(labels.home[i])];
-            to.push_back(double(labels.component[i]));
-            pack(member(i, paths[i].half), to);
-        }
-        else
-        {
-            islands[labels.component[i]].members.push_back(member(i, paths[i].half));
-        }
+        else islands[of.component].members.push_back(member(i, paths[i]));
     }
     for (const auto& from : communicator.exchange(away))
     {
@@ -910,10 +1018,11 @@ bool System::Implementation::move
     {
         for (const Member& m : entry.second.members)
         {
-            if (m.owner != rank || m.half <= paths[m.index].half) continue;
+            if (m.owner != rank) continue;
             Path& p = paths[m.index];
-            p.deviates = outran = true;
-            p.speed = std::max(p.speed, m.half/dt);
+            if (m.half <= p.spread) continue;
+            p.pushed = outran = true;
+            p.least = std::max(p.least, m.half/dt);
         }
     }
     if (communicator.any(outran))
@@ -989,7 +1098,7 @@ System::Implementation::remotePartners() const
         {
             const auto found = indexOf.find(std::int64_t(id));
             if (found == indexOf.end()) continue;
-            pack(member(found->second, 0), answers[std::size_t(r)]);
+            pack(member(found->second, {}), answers[std::size_t(r)]);
         }
     }
     for (const auto& from : communicator.exchange(answers))

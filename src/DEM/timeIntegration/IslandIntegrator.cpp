@@ -127,11 +127,11 @@ void IslandIntegrator::clear()
 
 void IslandIntegrator::addParticle
 (
-    const Particle& p, const GasLoad& g, const RestState& rest, double half
+    const Particle& p, const GasLoad& g, const RestState& rest, double half, const Vec3& along
 )
 {
     particles_.push_back(p);
-    roam_.push_back({half, true});
+    roam_.push_back({half, along, true});
     gas_.push_back(g);
     rest_.push_back(rest);
     impulse_.push_back(Vec3::Zero());
@@ -302,35 +302,35 @@ void IslandIntegrator::findCandidates(double dt)
     const std::size_t n = particles_.size();
     const bool many = n > manyParticles;
     boxes_.resize(n);
-    widest_ = 0;
     for (std::size_t i = 0; i < n; ++i)
     {
         const Particle& p = particles_[i];
         const double margin = roaming*p.radius;
         Roam& roam = roam_[i];
-        Vec3 low = p.x, high = p.x;
-        roam.all = !many || roam.half <= margin;
-        if (!roam.all && !rest_[i].resting) flightBox(p, gas_[i], dt, low, high);
+        const Vec3 end = p.x + dt*roam.along;
+        Vec3 low = p.x.cwiseMin(end), high = p.x.cwiseMax(end);
+        roam.all = !many || roam.half + (high - low).maxCoeff() <= margin;
+        if (!roam.all)
+        {
+            low = high = p.x;
+            if (!rest_[i].resting) flightBox(p, gas_[i], dt, low, high);
+        }
         const double half = p.radius + reach_[i] + (roam.all ? roam.half : margin);
         boxes_[i] = {low.array() - half, high.array() + half};
-        widest_ = std::max(widest_, 0.5*(boxes_[i].high - boxes_[i].low).maxCoeff());
     }
 
     due_.clear();
     grid_.reset();
     if (n <= fewParticles)
     {
-        // boxes are cubes, with their particles in the middle
-        const auto half = [this](std::size_t i)
-        {
-            return 0.5*(boxes_[i].high - boxes_[i].low).x();
-        };
         for (std::size_t i = 0; i < n; ++i)
         {
             for (std::size_t j = i + 1; j < n; ++j)
             {
-                const Vec3 d = periodic_.nearest(particles_[j].x - particles_[i].x);
-                if (d.lpNorm<Eigen::Infinity>() <= half(i) + half(j)) addCandidate(int(i), int(j));
+                const Box &a = boxes_[i], &b = boxes_[j];
+                const Vec3 twice = periodic_.nearest(0.5*(b.low + b.high - a.low - a.high))*2;
+                const Vec3 widths = a.high - a.low + b.high - b.low;
+                if ((twice.array().abs() <= widths.array()).all()) addCandidate(int(i), int(j));
             }
         }
     }
@@ -397,7 +397,7 @@ void IslandIntegrator::widen(int i, const Box& path)
     const std::size_t k = std::size_t(i);
     Box& box = boxes_[k];
     box.include(path);
-    widest_ = std::max(widest_, 0.5*(box.high - box.low).maxCoeff());
+    grid_->changed(i);
 
     static thread_local std::vector<int> known, found;
     known.assign(1, i);
@@ -408,7 +408,7 @@ void IslandIntegrator::widen(int i, const Box& path)
         if (c.j == i) known.push_back(c.i);
     }
     std::sort(known.begin(), known.end());
-    grid_->overlapping(box, widest_, [&](int j)
+    grid_->overlapping(box, [&](int j)
     {
         if (!std::binary_search(known.begin(), known.end(), j)) found.push_back(j);
     });
@@ -856,14 +856,15 @@ bool IslandIntegrator::anyContact() const
 }
 
 
-//- particles_ are where the bodies began
+//- particles_ are where the bodies and their points began
 void IslandIntegrator::noteFarthest()
 {
     for (std::size_t k = 0; k < bodies_.size(); ++k)
     {
         farthest_[k] = std::max
         (
-            farthest_[k], (vec(bodies_[k].x) - particles_[k].x).lpNorm<Eigen::Infinity>()
+            farthest_[k],
+            (vec(bodies_[k].x) - particles_[k].x - elapsed_*roam_[k].along).norm()
         );
     }
 }
@@ -1163,6 +1164,7 @@ void IslandIntegrator::step(double h, double next, StepReport& report)
     if (time_.energyLedger) report.energy.gas += kinetic(motion_);
     fastest_ = std::sqrt(fastest);
     path_ += fastest_*h;
+    elapsed_ += h;
     if (2*(path_ - refreshed_) > 0.5*skin_) refreshNear();
     else updateWalls();
     if (refined_) foresee(h);
@@ -2249,7 +2251,7 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
     }
     fastest_ = speedBound;
     exactEvents_ = candidates_.size() < denseIsland;
-    path_ = 0;
+    path_ = elapsed_ = 0;
     left_ = dt;
     refreshNear();
     woken_.clear();

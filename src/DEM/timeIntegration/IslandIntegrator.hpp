@@ -84,10 +84,12 @@ public:
 
         void clear();
 
-        //- Particles in order of id. half: how far it can get in this step, if it is pushed [m]
+        //- Particles in order of id. half [m]: how far it can get in this step, if it is pushed,
+        //  from a point that flies at `along` [m/s]
         void addParticle
         (
-            const Particle& p, const GasLoad& g, const RestState& rest, double half = 1e30
+            const Particle& p, const GasLoad& g, const RestState& rest, double half = 1e30,
+            const Vec3& along = Vec3::Zero()
         );
 
         //- Surfaces that the last particle can reach in this step
@@ -108,7 +110,7 @@ public:
         const Vec3& gasImpulse(int i) const { return impulse_[std::size_t(i)]; }
         const RestState& rest(int i) const { return rest_[std::size_t(i)]; }
 
-        //- How far particle i has been from where it began, along an axis [m]
+        //- How far particle i has been from that point [m]
         double farthest(int i) const { return farthest_[std::size_t(i)]; }
 
         //- Contacts of particle i as the lower partner
@@ -127,7 +129,8 @@ private:
     //- Where a particle may be until candidates are looked for again
     struct Roam
     {
-        double half;        // how far it can get at all [m]
+        double half;        // how far from its point it can get at all [m]
+        Vec3 along;         // velocity of that [m/s]
         bool all;           // its box holds all of that
     };
 
@@ -285,7 +288,6 @@ private:
     std::vector<Roam> roam_;
     std::vector<Box> boxes_;                // that the particles stay within, surfaces included
     std::unique_ptr<BoxGrid> grid_;         // of boxes_; none for few particles
-    double widest_ = 0;                     // [m] half width of the largest box
     std::vector<Candidate> candidates_;     // two that can touch, i < j
     std::size_t sorted_ = 0;                // so many of them by i, then j
     std::vector<std::size_t> surfaceEnd_;   // of each particle in surfaces_
@@ -334,6 +336,7 @@ private:
     double flightStep_ = -1;    // h that flight_ is made for
     double skin_ = 0;           // [m] how far beyond touch near_ looks
     double left_ = 0;           // [s] of this run
+    double elapsed_ = 0;        // [s] of this run
     double path_ = 0;           // [m] that the fastest at each time has made since run()
     double refreshed_ = 0;      // [m] path_ at refreshNear()
     double fastest_ = 0;        // [m/s]
