@@ -685,8 +685,21 @@ bool System::Implementation::flyTogether
     for (std::size_t k = 0; k < members.size(); ++k)
     {
         const RestState& r = members[k].rest;
-        const Vec3 change = body.contactForce(k) - Vec3(r.force[0], r.force[1], r.force[2]);
-        if (r.wakeForce < 0 || change.norm() > r.wakeForce) return false;
+        const Vec3 force = body.contactForce(k);
+        const double change = (force - Vec3(r.force[0], r.force[1], r.force[2])).norm();
+        if (r.wakeForce < 0) return false;
+        if (change <= r.wakeForce) continue;
+        // Of many contacts a force may be the moment of one. A pair has one, whose force and
+        // moment are known.
+        if (members.size() > 2) return false;
+        const double radius = flyers[k].radius;
+        const Vec3 n = periodic.nearest(flyers[1 - k].x - flyers[k].x).normalized();
+        const Vec3 moment = body.contactTorque(k) - radius*n.cross(force);
+        if
+        (
+            change > time.restTolerance*wakeForceChange*r.pullOff
+         || moment.norm() > r.wakeForce*radius
+        ) return false;
     }
 
     std::vector<Vec3> impulses;

@@ -36,7 +36,6 @@ constexpr double quietEnergy = 0.1;
 constexpr double quietForce = 0.1;
 constexpr double quietTorque = 0.02;
 constexpr double wakeForce = 0.5;
-constexpr double wakeForceChange = 0.1;
 constexpr double windowPeriods = 3;
 constexpr double rockingWindows = 30;
 

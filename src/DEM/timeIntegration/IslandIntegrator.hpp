@@ -58,6 +58,10 @@ namespace dem
 
 class RigidAggregate;
 
+//- Share of the weakest pull-off force, or moment that rolls over the radius, by which the load
+//  on a particle at rest may change
+inline constexpr double wakeForceChange = 0.1;
+
 //- Whether a resting particle must wake because its gas load has changed, or because it was
 //  moved from outside (negative wakeForce)
 inline bool wakes(const RestState& rest, const GasLoad& gas)
