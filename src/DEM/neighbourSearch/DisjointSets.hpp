@@ -31,6 +31,8 @@ public:
         return i;
     }
 
+    bool together(std::size_t a, std::size_t b) { return find(a) == find(b); }
+
     void join(std::size_t a, std::size_t b)
     {
         a = find(a);

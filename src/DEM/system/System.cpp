@@ -833,7 +833,7 @@ StepReport System::Implementation::advance(double dt)
     grid.pairs([&](int i, int j)
     {
         const std::size_t a = std::size_t(i), b = std::size_t(j);
-        if (!meet(paths[a], paths[b], dt)) return;
+        if (sets.together(a, b) || !meet(paths[a], paths[b], dt)) return;
         sets.join(a, b);
         crowded[a] = crowded[b] = 1;
     });
@@ -887,7 +887,7 @@ StepReport System::Implementation::advance(double dt)
             grid.overlapping(boxes[i], [&](int other)
             {
                 const std::size_t j = std::size_t(other);
-                if (!meet(paths[i], paths[j], dt)) return;
+                if (sets.together(i, j) || !meet(paths[i], paths[j], dt)) return;
                 sets.join(i, j);
                 addToCrowd(i);
                 addToCrowd(j);
