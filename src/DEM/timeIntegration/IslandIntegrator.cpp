@@ -1369,6 +1369,13 @@ Vec3 IslandIntegrator::acceleration(int i) const
 }
 
 
+//- The longest contact step over the shortest period: the bound of one contact is 2/omega
+double IslandIntegrator::longestStep() const
+{
+    return std::min(1/time_.stepsPerContact, time_.boundShare/M_PI);
+}
+
+
 //- The contact step that the contacts need as they are now and until the next look; watches
 //  them as well. See contactPeriod.hpp.
 double IslandIntegrator::contactStep(double time, StepReport& report)
@@ -1450,7 +1457,7 @@ double IslandIntegrator::contactStep(double time, StepReport& report)
                 const auto depthOf = [&](const ContactBound& b) { return b.radius*b.radius/e.R; };
                 // what presses may make it faster, and so stiffer, before the next look; a
                 // load that stays, by a T/(2 pi) at most
-                const double periods = looks/time_.stepsPerContact;
+                const double periods = looks*longestStep();
                 const double ahead = exactEvents_ ? periods : std::min(periods, 0.25);
                 const auto gain = [&](const ContactBound& b)
                 {
@@ -1497,7 +1504,7 @@ double IslandIntegrator::contactStep(double time, StepReport& report)
                 if (closing > 0) path = std::min(path, 0.3*smaller/closing);
                 deep_ =
                     deep_
-                 || list.overlap[k] + closing*b.period/time_.stepsPerContact
+                 || list.overlap[k] + closing*b.period*longestStep()
                   > deepOverlap*smaller;
                 shortest = std::min(shortest, b.period);
                 slipTime = std::min(slipTime, b.slipTime);
@@ -1683,7 +1690,7 @@ double IslandIntegrator::stiffestStep(double speed) const
             );
         }
     }
-    return shortest/time_.stepsPerContact;
+    return shortest*longestStep();
 }
 
 
@@ -1691,6 +1698,11 @@ double IslandIntegrator::stiffestStep(double speed) const
 double IslandIntegrator::timeToTouch(bool contact) const
 {
     double shortest = 1e300;
+    // whether what contacts press together can meet within a contact step
+    const auto soon = [&](double g, double closing)
+    {
+        return g < (std::max(closing, 0.0) + 2*strongest_*contactStep_)*contactStep_;
+    };
     const auto pair = [&](const Candidate& c)
     {
         if
@@ -1708,9 +1720,13 @@ double IslandIntegrator::timeToTouch(bool contact) const
             gapResolution(vec(a.x), a.r), gapResolution(vec(b.x), b.r)
         });
         const double closing = (vec(a.v) - vec(b.v)).dot(d)/std::max(distance, 1e-290);
-        const double bound =
-            contact ? 0 : accelerationBound(c.i) + accelerationBound(c.j);
-        shortest = std::min(shortest, closingTime(g, closing, bound));
+        double bound = 0;
+        if (!contact) bound = accelerationBound(c.i) + accelerationBound(c.j);
+        else if (soon(g, closing))
+        {
+            bound = (acceleration(c.i) - acceleration(c.j)).dot(d)/std::max(distance, 1e-290);
+        }
+        shortest = std::min(shortest, closingTime(g, closing, std::max(bound, 0.0)));
     };
 
     if (contact)
@@ -1722,15 +1738,13 @@ double IslandIntegrator::timeToTouch(bool contact) const
             for (std::size_t c = 0; c < hits_[k].size(); ++c)
             {
                 if (hitTaken_[k][c]) continue;
+                const WallHit& hit = hits_[k][c];
+                const double g = hit.distance - bodies_[k].r - wallTouch(i, hit.patch);
+                const double closing = vec(bodies_[k].v).dot(hit.n);
+                const double bound = soon(g, closing) ? acceleration(i).dot(hit.n) : 0;
                 shortest = std::min
                 (
-                    shortest,
-                    closingTime
-                    (
-                        hits_[k][c].distance - bodies_[k].r
-                      - wallTouch(i, hits_[k][c].patch),
-                        vec(bodies_[k].v).dot(hits_[k][c].n), 0
-                    )
+                    shortest, closingTime(g, closing, std::max(bound, 0.0))
                 );
             }
         }
@@ -2321,7 +2335,7 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
                 looked = 0;
             }
             now = left < 1.5*h ? left : h;
-            if (exactEvents_ && shortened < 3)
+            if (exactEvents_)
             {
                 double end;
                 now = std::min(now, gradedStep(h, end));
@@ -2329,14 +2343,20 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
                 const double event = std::min(timeToTouch(true), end);
                 if (event < now)
                 {
-                    // a little beyond, so that it has happened
-                    now = std::min(now, std::max(event*(1 + 1e-9), overshoot*h));
-                    ++shortened;
+                    // a little beyond, so that it has happened; where events crowd, a step of
+                    // the stiffest contact that can begin
+                    double least = overshoot*h;
+                    if (shortened == 3)
+                    {
+                        noteSpeed();
+                        least = std::max(least, stiffest);
+                    }
+                    now = std::min(now, std::max(event*(1 + 1e-9), least));
+                    shortened = shortened < 3 ? shortened + 1 : 0;
                     looked = lookInterval;
                 }
                 else shortened = 0;
             }
-            else shortened = 0;
             ++report.contactSteps;
             ++looked;
             sinceLook += now;

@@ -247,6 +247,7 @@ private:
     void refreshNear();
     void noteFarthest();
     void findNearSurfaces(int i);
+    double longestStep() const;
     double contactStep(double time, StepReport& report);
     double meetingStep(double h, int looks) const;
     Vec3 acceleration(int i) const;
