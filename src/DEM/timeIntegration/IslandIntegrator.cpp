@@ -1174,6 +1174,10 @@ void IslandIntegrator::step(double h, double next, StepReport& report)
     {
         complete();
         closeLedger(h, report.energy);
+        if (anyContact())
+        {
+            report.maxStepOverBound = std::max(report.maxStepOverBound, h/boundNow());
+        }
     }
 }
 
@@ -1369,6 +1373,106 @@ Vec3 IslandIntegrator::acceleration(int i) const
 }
 
 
+//- One contact at its stiffest, from an overlap [m] and a speed of approach [m/s]
+ContactBound IslandIntegrator::contactBound
+(
+    std::size_t l, const ContactList& list, std::size_t k, double overlap, double speed
+) const
+{
+    const Entry& e = entries_[std::size_t(list.tag[k])];
+    const int mi = particles_[std::size_t(list.i[k])].material;
+    double c[maxConstants], history[maxHistory];
+    for (std::size_t m = 0; m < list.constants.size(); ++m) c[m] = list.constants[m][k];
+    for (std::size_t m = 0; m < list.history.size(); ++m) history[m] = list.history[m][k];
+    return materials_.laws()[l]->bound
+    (
+        materials_.pairInLaw(mi, e.materialJ),
+        {materials_.constants(mi, e.materialJ), e.R, e.m}, c, history, e.turning, overlap, speed
+    );
+}
+
+
+void IslandIntegrator::addToSums(const ContactList& list, std::size_t k, const ContactBound& b)
+{
+    for (const int p : {list.i[k], list.isWall() ? -1 : list.j[k]})
+    {
+        if (p < 0) continue;
+        Sums& s = sums_[std::size_t(p)];
+        s.stiffness += b.stiffness;
+        s.damping += b.damping;
+        s.rolling += b.rolling;
+        s.rollingDamping += b.rollingDamping;
+        s.twisting += b.twisting;
+        s.twistingDamping += b.twistingDamping;
+    }
+}
+
+
+//- No mode is faster than the fastest of these sums
+IslandIntegrator::Sums IslandIntegrator::mostOfSums() const
+{
+    Sums most;
+    for (const LawLists& l : lists_)
+    {
+        for (const bool wall : {false, true})
+        {
+            const ContactList& list = wall ? l.walls : l.pairs;
+            for (std::size_t k = 0; k < list.size(); ++k)
+            {
+                Sums both;
+                for (const int p : {list.i[k], wall ? -1 : list.j[k]})
+                {
+                    if (p < 0) continue;
+                    const Sums& s = sums_[std::size_t(p)];
+                    const Body& body = bodies_[std::size_t(p)];
+                    const double turns = bodies_[std::size_t(p)].r*body.invI;
+                    both.stiffness += s.stiffness*body.invM;
+                    both.damping += s.damping*body.invM;
+                    both.twisting += s.twisting*body.invI;
+                    both.twistingDamping += s.twistingDamping*body.invI;
+                    most.rolling = std::max(most.rolling, s.rolling*turns);
+                    most.rollingDamping =
+                        std::max(most.rollingDamping, s.rollingDamping*turns);
+                }
+                most.stiffness = std::max(most.stiffness, both.stiffness);
+                most.damping = std::max(most.damping, both.damping);
+                most.twisting = std::max(most.twisting, both.twisting);
+                most.twistingDamping = std::max(most.twistingDamping, both.twistingDamping);
+            }
+        }
+    }
+    return most;
+}
+
+
+double IslandIntegrator::boundOf(const Sums& most)
+{
+    return stabilityBound
+    (
+        most.stiffness + most.rolling + most.twisting,
+        most.damping + most.rollingDamping + most.twistingDamping
+    );
+}
+
+
+//- Stability bound of the contacts as they are, with nothing foreseen [s]
+double IslandIntegrator::boundNow()
+{
+    sums_.assign(particles_.size(), {});
+    for (std::size_t l = 0; l < lists_.size(); ++l)
+    {
+        for (const ContactList* list : {&lists_[l].pairs, &lists_[l].walls})
+        {
+            for (std::size_t k = 0; k < list->size(); ++k)
+            {
+                addToSums(*list, k, contactBound(l, *list, k, list->overlap[k], 0));
+            }
+        }
+    }
+    return boundOf(mostOfSums());
+}
+
+
 //- The longest contact step over the shortest period: the bound of one contact is 2/omega
 double IslandIntegrator::longestStep() const
 {
@@ -1436,23 +1540,7 @@ double IslandIntegrator::contactStep(double time, StepReport& report)
 
                 const auto boundAt = [&](double overlap, double at)
                 {
-                    const int mi = particles_[i].material;
-                    double c[maxConstants];
-                    for (std::size_t m = 0; m < list.constants.size(); ++m)
-                    {
-                        c[m] = list.constants[m][k];
-                    }
-                    double history[maxHistory];
-                    for (std::size_t m = 0; m < list.history.size(); ++m)
-                    {
-                        history[m] = list.history[m][k];
-                    }
-                    return law.bound
-                    (
-                        materials_.pairInLaw(mi, e.materialJ),
-                        {materials_.constants(mi, e.materialJ), e.R, e.m}, c, history,
-                        e.turning, overlap, at
-                    );
+                    return contactBound(l, list, k, overlap, at);
                 };
                 const auto depthOf = [&](const ContactBound& b) { return b.radius*b.radius/e.R; };
                 // what presses may make it faster, and so stiffer, before the next look; a
@@ -1509,58 +1597,14 @@ double IslandIntegrator::contactStep(double time, StepReport& report)
                 shortest = std::min(shortest, b.period);
                 slipTime = std::min(slipTime, b.slipTime);
                 turnTime = std::min(turnTime, b.turnTime);
-                for (const int p : {list.i[k], wall ? -1 : list.j[k]})
-                {
-                    if (p < 0) continue;
-                    Sums& s = sums_[std::size_t(p)];
-                    s.stiffness += b.stiffness;
-                    s.damping += b.damping;
-                    s.rolling += b.rolling;
-                    s.rollingDamping += b.rollingDamping;
-                    s.twisting += b.twisting;
-                    s.twistingDamping += b.twistingDamping;
-                }
+                addToSums(list, k, b);
             }
         }
     }
     if (shortest == 1e300) return shortest;
 
-    // No mode is faster than the fastest of these sums
-    Sums most;
-    for (const LawLists& l : lists_)
-    {
-        for (const bool wall : {false, true})
-        {
-            const ContactList& list = wall ? l.walls : l.pairs;
-            for (std::size_t k = 0; k < list.size(); ++k)
-            {
-                Sums both;
-                for (const int p : {list.i[k], wall ? -1 : list.j[k]})
-                {
-                    if (p < 0) continue;
-                    const Sums& s = sums_[std::size_t(p)];
-                    const Body& body = bodies_[std::size_t(p)];
-                    const double turns = bodies_[std::size_t(p)].r*body.invI;
-                    both.stiffness += s.stiffness*body.invM;
-                    both.damping += s.damping*body.invM;
-                    both.twisting += s.twisting*body.invI;
-                    both.twistingDamping += s.twistingDamping*body.invI;
-                    most.rolling = std::max(most.rolling, s.rolling*turns);
-                    most.rollingDamping =
-                        std::max(most.rollingDamping, s.rollingDamping*turns);
-                }
-                most.stiffness = std::max(most.stiffness, both.stiffness);
-                most.damping = std::max(most.damping, both.damping);
-                most.twisting = std::max(most.twisting, both.twisting);
-                most.twistingDamping = std::max(most.twistingDamping, both.twistingDamping);
-            }
-        }
-    }
-    bound_ = stabilityBound
-    (
-        most.stiffness + most.rolling + most.twisting,
-        most.damping + most.rollingDamping + most.twistingDamping
-    );
+    const Sums most = mostOfSums();
+    bound_ = boundOf(most);
     period_ = shortest;
     double h = shortest/time_.stepsPerContact;
     if (bound_ < leastBound*shortest)
@@ -2335,7 +2379,7 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
                 looked = 0;
             }
             now = left < 1.5*h ? left : h;
-            if (exactEvents_)
+            if (exactEvents_ && shortened < 3)
             {
                 double end;
                 now = std::min(now, gradedStep(h, end));
@@ -2343,19 +2387,29 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
                 const double event = std::min(timeToTouch(true), end);
                 if (event < now)
                 {
-                    // a little beyond, so that it has happened; where events crowd, a step of
-                    // the stiffest contact that can begin
-                    double least = overshoot*h;
-                    if (shortened == 3)
-                    {
-                        noteSpeed();
-                        least = std::max(least, stiffest);
-                    }
-                    now = std::min(now, std::max(event*(1 + 1e-9), least));
-                    shortened = shortened < 3 ? shortened + 1 : 0;
+                    // a little beyond, so that it has happened
+                    now = std::min(now, std::max(event*(1 + 1e-9), overshoot*h));
+                    ++shortened;
                     looked = lookInterval;
                 }
                 else shortened = 0;
+            }
+            else
+            {
+                // where events crowd, one is passed; a touch by no more than a step of the
+                // stiffest contact that can begin
+                if (shortened > 0)
+                {
+                    if (2*(path_ + fastest_*now - refreshed_) > 0.5*skin_) refreshNear();
+                    const double touch = timeToTouch(true);
+                    if (touch < now)
+                    {
+                        noteSpeed();
+                        now = std::min(now, std::max(touch*(1 + 1e-9), stiffest));
+                        looked = lookInterval;
+                    }
+                }
+                shortened = 0;
             }
             ++report.contactSteps;
             ++looked;
