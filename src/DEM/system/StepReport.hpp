@@ -28,7 +28,9 @@ struct StepReport
     std::int64_t inContact = 0;         // particles in contact at the end
     double maxOverlapOverDiameter = 0;  // largest delta/(2 min(r_i, r_j)) met
     double minStepsPerContact = 1e300;  // period over step of the stiffest contact met
-    double maxStepOverBound = 0;        // largest contact step over its stability bound
+    // largest contact step over its stability bound, at the end of each island; with the energy
+    // ledger on also over that of the contacts as each step left them
+    double maxStepOverBound = 0;
     double energyRemovedByRest = 0;     // [J]
     EnergyLedger energy;                // timeIntegration { energyLedger on; } only
     double secondsSearch = 0;           // broad phase, ghosts, islands

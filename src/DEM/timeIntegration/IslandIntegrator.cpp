@@ -1175,6 +1175,10 @@ void IslandIntegrator::step(double h, double next, StepReport& report)
     {
         complete();
         closeLedger(h, report.energy);
+        if (anyContact())
+        {
+            report.maxStepOverBound = std::max(report.maxStepOverBound, h/boundNow());
+        }
     }
 }
 
@@ -1370,6 +1374,113 @@ Vec3 IslandIntegrator::acceleration(int i) const
 }
 
 
+//- One contact at its stiffest, from an overlap [m] and a speed of approach [m/s]
+ContactBound IslandIntegrator::contactBound
+(
+    std::size_t l, const ContactList& list, std::size_t k, double overlap, double speed
+) const
+{
+    const Entry& e = entries_[std::size_t(list.tag[k])];
+    const int mi = particles_[std::size_t(list.i[k])].material;
+    double c[maxConstants], history[maxHistory];
+    for (std::size_t m = 0; m < list.constants.size(); ++m) c[m] = list.constants[m][k];
+    for (std::size_t m = 0; m < list.history.size(); ++m) history[m] = list.history[m][k];
+    return materials_.laws()[l]->bound
+    (
+        materials_.pairInLaw(mi, e.materialJ),
+        {materials_.constants(mi, e.materialJ), e.R, e.m}, c, history, e.turning, overlap, speed
+    );
+}
+
+
+void IslandIntegrator::addToSums(const ContactList& list, std::size_t k, const ContactBound& b)
+{
+    for (const int p : {list.i[k], list.isWall() ? -1 : list.j[k]})
+    {
+        if (p < 0) continue;
+        Sums& s = sums_[std::size_t(p)];
+        s.stiffness += b.stiffness;
+        s.damping += b.damping;
+        s.rolling += b.rolling;
+        s.rollingDamping += b.rollingDamping;
+        s.twisting += b.twisting;
+        s.twistingDamping += b.twistingDamping;
+    }
+}
+
+
+//- No mode is faster than the fastest of these sums
+IslandIntegrator::Sums IslandIntegrator::mostOfSums() const
+{
+    Sums most;
+    for (const LawLists& l : lists_)
+    {
+        for (const bool wall : {false, true})
+        {
+            const ContactList& list = wall ? l.walls : l.pairs;
+            for (std::size_t k = 0; k < list.size(); ++k)
+            {
+                Sums both;
+                for (const int p : {list.i[k], wall ? -1 : list.j[k]})
+                {
+                    if (p < 0) continue;
+                    const Sums& s = sums_[std::size_t(p)];
+                    const Body& body = bodies_[std::size_t(p)];
+                    const double turns = bodies_[std::size_t(p)].r*body.invI;
+                    both.stiffness += s.stiffness*body.invM;
+                    both.damping += s.damping*body.invM;
+                    both.twisting += s.twisting*body.invI;
+                    both.twistingDamping += s.twistingDamping*body.invI;
+                    most.rolling = std::max(most.rolling, s.rolling*turns);
+                    most.rollingDamping =
+                        std::max(most.rollingDamping, s.rollingDamping*turns);
+                }
+                most.stiffness = std::max(most.stiffness, both.stiffness);
+                most.damping = std::max(most.damping, both.damping);
+                most.twisting = std::max(most.twisting, both.twisting);
+                most.twistingDamping = std::max(most.twistingDamping, both.twistingDamping);
+            }
+        }
+    }
+    return most;
+}
+
+
+double IslandIntegrator::boundOf(const Sums& most)
+{
+    return stabilityBound
+    (
+        most.stiffness + most.rolling + most.twisting,
+        most.damping + most.rollingDamping + most.twistingDamping
+    );
+}
+
+
+//- Stability bound of the contacts as they are, with nothing foreseen [s]
+double IslandIntegrator::boundNow()
+{
+    sums_.assign(particles_.size(), {});
+    for (std::size_t l = 0; l < lists_.size(); ++l)
+    {
+        for (const ContactList* list : {&lists_[l].pairs, &lists_[l].walls})
+        {
+            for (std::size_t k = 0; k < list->size(); ++k)
+            {
+                addToSums(*list, k, contactBound(l, *list, k, list->overlap[k], 0));
+            }
+        }
+    }
+    return boundOf(mostOfSums());
+}
+
+
+//- The longest contact step over the shortest period: the bound of one contact is 2/omega
+double IslandIntegrator::longestStep() const
+{
+    return std::min(1/time_.stepsPerContact, time_.boundShare/M_PI);
+}
+
+
 //- The contact step that the contacts need as they are now and until the next look; watches
 //  them as well. See contactPeriod.hpp.
 double IslandIntegrator::contactStep(double time, StepReport& report)
@@ -1430,28 +1541,12 @@ double IslandIntegrator::contactStep(double time, StepReport& report)
 
                 const auto boundAt = [&](double overlap, double at)
                 {
-                    const int mi = particles_[i].material;
-                    double c[maxConstants];
-                    for (std::size_t m = 0; m < list.constants.size(); ++m)
-                    {
-                        c[m] = list.constants[m][k];
-                    }
-                    double history[maxHistory];
-                    for (std::size_t m = 0; m < list.history.size(); ++m)
-                    {
-                        history[m] = list.history[m][k];
-                    }
-                    return law.bound
-                    (
-                        materials_.pairInLaw(mi, e.materialJ),
-                        {materials_.constants(mi, e.materialJ), e.R, e.m}, c, history,
-                        e.turning, overlap, at
-                    );
+                    return contactBound(l, list, k, overlap, at);
                 };
                 const auto depthOf = [&](const ContactBound& b) { return b.radius*b.radius/e.R; };
                 // what presses may make it faster, and so stiffer, before the next look; a
                 // load that stays, by a T/(2 pi) at most
-                const double periods = looks/time_.stepsPerContact;
+                const double periods = looks*longestStep();
                 const double ahead = exactEvents_ ? periods : std::min(periods, 0.25);
                 const auto gain = [&](const ContactBound& b)
                 {
@@ -1498,63 +1593,19 @@ double IslandIntegrator::contactStep(double time, StepReport& report)
                 if (closing > 0) path = std::min(path, 0.3*smaller/closing);
                 deep_ =
                     deep_
-                 || list.overlap[k] + closing*b.period/time_.stepsPerContact
+                 || list.overlap[k] + closing*b.period*longestStep()
                   > deepOverlap*smaller;
                 shortest = std::min(shortest, b.period);
                 slipTime = std::min(slipTime, b.slipTime);
                 turnTime = std::min(turnTime, b.turnTime);
-                for (const int p : {list.i[k], wall ? -1 : list.j[k]})
-                {
-                    if (p < 0) continue;
-                    Sums& s = sums_[std::size_t(p)];
-                    s.stiffness += b.stiffness;
-                    s.damping += b.damping;
-                    s.rolling += b.rolling;
-                    s.rollingDamping += b.rollingDamping;
-                    s.twisting += b.twisting;
-                    s.twistingDamping += b.twistingDamping;
-                }
+                addToSums(list, k, b);
             }
         }
     }
     if (shortest == 1e300) return shortest;
 
-    // No mode is faster than the fastest of these sums
-    Sums most;
-    for (const LawLists& l : lists_)
-    {
-        for (const bool wall : {false, true})
-        {
-            const ContactList& list = wall ? l.walls : l.pairs;
-            for (std::size_t k = 0; k < list.size(); ++k)
-            {
-                Sums both;
-                for (const int p : {list.i[k], wall ? -1 : list.j[k]})
-                {
-                    if (p < 0) continue;
-                    const Sums& s = sums_[std::size_t(p)];
-                    const Body& body = bodies_[std::size_t(p)];
-                    const double turns = bodies_[std::size_t(p)].r*body.invI;
-                    both.stiffness += s.stiffness*body.invM;
-                    both.damping += s.damping*body.invM;
-                    both.twisting += s.twisting*body.invI;
-                    both.twistingDamping += s.twistingDamping*body.invI;
-                    most.rolling = std::max(most.rolling, s.rolling*turns);
-                    most.rollingDamping =
-                        std::max(most.rollingDamping, s.rollingDamping*turns);
-                }
-                most.stiffness = std::max(most.stiffness, both.stiffness);
-                most.damping = std::max(most.damping, both.damping);
-                most.twisting = std::max(most.twisting, both.twisting);
-                most.twistingDamping = std::max(most.twistingDamping, both.twistingDamping);
-            }
-        }
-    }
-    bound_ = stabilityBound
-    (
-        most.stiffness + most.rolling + most.twisting,
-        most.damping + most.rollingDamping + most.twistingDamping
-    );
+    const Sums most = mostOfSums();
+    bound_ = boundOf(most);
     period_ = shortest;
     double h = shortest/time_.stepsPerContact;
     if (bound_ < leastBound*shortest)
@@ -1684,7 +1735,7 @@ double IslandIntegrator::stiffestStep(double speed) const
             );
         }
     }
-    return shortest/time_.stepsPerContact;
+    return shortest*longestStep();
 }
 
 
@@ -1692,6 +1743,11 @@ double IslandIntegrator::stiffestStep(double speed) const
 double IslandIntegrator::timeToTouch(bool contact) const
 {
     double shortest = 1e300;
+    // whether what contacts press together can meet within a contact step
+    const auto soon = [&](double g, double closing)
+    {
+        return g < (std::max(closing, 0.0) + 2*strongest_*contactStep_)*contactStep_;
+    };
     const auto pair = [&](const Candidate& c)
     {
         if
@@ -1709,9 +1765,13 @@ double IslandIntegrator::timeToTouch(bool contact) const
             gapResolution(vec(a.x), a.r), gapResolution(vec(b.x), b.r)
         });
         const double closing = (vec(a.v) - vec(b.v)).dot(d)/std::max(distance, 1e-290);
-        const double bound =
-            contact ? 0 : accelerationBound(c.i) + accelerationBound(c.j);
-        shortest = std::min(shortest, closingTime(g, closing, bound));
+        double bound = 0;
+        if (!contact) bound = accelerationBound(c.i) + accelerationBound(c.j);
+        else if (soon(g, closing))
+        {
+            bound = (acceleration(c.i) - acceleration(c.j)).dot(d)/std::max(distance, 1e-290);
+        }
+        shortest = std::min(shortest, closingTime(g, closing, std::max(bound, 0.0)));
     };
 
     if (contact)
@@ -1723,15 +1783,13 @@ double IslandIntegrator::timeToTouch(bool contact) const
             for (std::size_t c = 0; c < hits_[k].size(); ++c)
             {
                 if (hitTaken_[k][c]) continue;
+                const WallHit& hit = hits_[k][c];
+                const double g = hit.distance - bodies_[k].r - wallTouch(i, hit.patch);
+                const double closing = vec(bodies_[k].v).dot(hit.n);
+                const double bound = soon(g, closing) ? acceleration(i).dot(hit.n) : 0;
                 shortest = std::min
                 (
-                    shortest,
-                    closingTime
-                    (
-                        hits_[k][c].distance - bodies_[k].r
-                      - wallTouch(i, hits_[k][c].patch),
-                        vec(bodies_[k].v).dot(hits_[k][c].n), 0
-                    )
+                    shortest, closingTime(g, closing, std::max(bound, 0.0))
                 );
             }
         }
@@ -2337,7 +2395,23 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
                 }
                 else shortened = 0;
             }
-            else shortened = 0;
+            else
+            {
+                // where events crowd, one is passed; a touch by no more than a step of the
+                // stiffest contact that can begin
+                if (shortened > 0)
+                {
+                    if (2*(path_ + fastest_*now - refreshed_) > 0.5*skin_) refreshNear();
+                    const double touch = timeToTouch(true);
+                    if (touch < now)
+                    {
+                        noteSpeed();
+                        now = std::min(now, std::max(touch*(1 + 1e-9), stiffest));
+                        looked = lookInterval;
+                    }
+                }
+                shortened = 0;
+            }
             ++report.contactSteps;
             ++looked;
             sinceLook += now;

@@ -254,6 +254,15 @@ private:
     void refreshNear();
     void noteFarthest();
     void findNearSurfaces(int i);
+    ContactBound contactBound
+    (
+        std::size_t l, const ContactList& list, std::size_t k, double overlap, double speed
+    ) const;
+    void addToSums(const ContactList& list, std::size_t k, const ContactBound& b);
+    Sums mostOfSums() const;
+    static double boundOf(const Sums& most);
+    double boundNow();
+    double longestStep() const;
     double contactStep(double time, StepReport& report);
     double meetingStep(double h, int looks) const;
     Vec3 acceleration(int i) const;
