@@ -7,7 +7,8 @@
 // xi [m] is the sliding displacement, v_S [m/s] the slip velocity of the two surfaces,
 // G [Pa] the effective shear modulus, a [m] the radius that the normal law gives, eta_T the
 // dashpot that the normal law gives, mu [-] the friction coefficient, F_N the elastic normal
-// force, F_C the pull-off force of the unsoftened contact. Where the limit is reached the
+// force, F_C the pull-off force of the unsoftened contact (2 F_C is F_C or 0 with some normal
+// laws: their slidingShare). Where the limit is reached the
 // stored displacement is cut back too, so that F_T keeps its direction and unloads at once.
 // Source: Haervig et al. 2017, eq. 16 (dashpot); Chen, Liu & Li 2019.
 // Keyword: tangential { model springDashpotSlider; friction 0.3; }
@@ -28,7 +29,7 @@ struct springDashpotSlider
 {
     static constexpr const char* model = "springDashpotSlider";
     static constexpr bool on = true;
-    static constexpr int nConstants = 4;
+    static constexpr int nConstants = 3;
     static constexpr int nHistory = 3;
 
     static std::vector<std::string> keywords() { return {"friction"}; }
@@ -44,7 +45,6 @@ struct springDashpotSlider
     (
         const Parameters& p,
         const ContactScale& s,
-        const ResistanceScale& r,
         double dampingRatio,    // eta_T/eta_N
         double* c
     )
@@ -52,14 +52,21 @@ struct springDashpotSlider
         c[0] = 8*s.pair.G;
         c[1] = dampingRatio;
         c[2] = p.friction;
-        c[3] = r.slidingOffset;
     }
 
     //- k_T [N/m] at contact radius a; the spring's energy is k_T xi^2/2
-    static double stiffness(const double* c, double a) { return c[0]*a; }
+    template<class Real>
+    [[gnu::always_inline]] static Real stiffness(const Real* c, const Real& a)
+    {
+        return c[0]*a;
+    }
 
     //- eta_T [N s/m] with the dashpot of the normal law
-    static double damping(const double* c, double etaN) { return c[1]*etaN; }
+    template<class Real>
+    [[gnu::always_inline]] static Real damping(const Real* c, const Real& etaN)
+    {
+        return c[1]*etaN;
+    }
 
     //- Share of xi that is kept where k_T has grown: the force stays
     template<class Real>
@@ -70,9 +77,9 @@ struct springDashpotSlider
 
     //- mu |F_N + 2 F_C| [N]
     template<class Real>
-    [[gnu::always_inline]] static Real limit(const Real* c, const Real& elastic)
+    [[gnu::always_inline]] static Real limit(const Real* c, const Real& pressed)
     {
-        return c[2]*magnitude(elastic + c[3]);
+        return c[2]*magnitude(pressed);
     }
 
     //- Force on i [N]; xi is moved on by slip [m] and cut back at the limit
@@ -80,20 +87,19 @@ struct springDashpotSlider
     [[gnu::always_inline]] static V3<Real> evaluate
     (
         const Real* c,
-        const Real& elastic,
-        const Real& damping,
-        const Real& radius,
+        const Real& pressed,            // F_N + 2 F_C [N]
+        const NormalResponse<Real>& normal,
         const V3<Real>& slip,
         const V3<Real>& slipVelocity,
         V3<Real>& xi
     )
     {
-        const Real k = c[0]*radius;
-        const Real eta = c[1]*damping;
+        const Real k = stiffness(c, normal.radius);
+        const Real eta = damping(c, normal.damping);
         xi = xi + slip;
         const V3<Real> dash = eta*slipVelocity;
         const V3<Real> trial = k*xi + dash;
-        const Real cap = limit(c, elastic);
+        const Real cap = limit(c, pressed);
         const Real square = dot(trial, trial);
         const auto slides = square > cap*cap;
         if (!any(slides)) return Real(-1)*trial;
