@@ -137,7 +137,9 @@ class Composite : public ContactLaw
         V3<Real> n, dn, slipV, wRel;
         Real twistMean;
         NormalResponse<Real> normal;    // without `remaining`
-        V3<Real> force, torqueI, torqueJ;
+        Real push;                      // F_N + eta_N delta'
+        V3<Real> ft, M;                 // F_T, M_r
+        Real moment;                    // M_t
     };
 
     template<class Real>
@@ -303,8 +305,7 @@ class Composite : public ContactLaw
         {
             storeReal<Real>(list.h[a] + k, memory[a]);
         }
-        const Real push = normal.elastic + normal.damping*s.vn;
-        s.force = (-push)*s.n;
+        s.push = normal.elastic + normal.damping*s.vn;
 
         const bool anyOver = any(normal.remaining < Real(0));
         for (int l = 0; l < laneCount<Real>; ++l) list.ended[k + std::size_t(l)] = 0;
@@ -319,9 +320,57 @@ class Composite : public ContactLaw
     }
 
 
-    //- Sliding, rolling, twisting
+    //- 1, or 0 where a law that acts at a distance has no spot to resist with
+    template<class Real>
+    [[gnu::always_inline]] static Real spot(const NormalResponse<Real>& normal)
+    {
+        if constexpr (!Normal::atDistance) return Real(1);
+        else return select(normal.radius > Real(0), Real(1), Real(0));
+    }
+
+    template<class Real>
+    [[gnu::always_inline]] static Real slidingLimit
+    (
+        const Real* c, const NormalResponse<Real>& normal
+    )
+    {
+        return Tangential::template limit<Real>
+        (
+            c, normal.elastic + Real(Normal::slidingShare)*normal.pullOff
+        );
+    }
+
+    //- v_L of the rolling parts; R is set to the effective radius
     template<class Real, Partner partner>
-    [[gnu::always_inline]] static void resist
+    [[gnu::always_inline]] static V3<Real> rollVelocity(const Stage<Real>& s, Real& R)
+    {
+        // (1/2)(r_i - r_j)/(r_i + r_j)
+        Real skew(-0.5);
+        R = s.ri;
+        if constexpr (partner != wallPartner)
+        {
+            R = s.ri*s.rj*s.inverseSum;
+            skew = Real(0.5)*(s.ri - s.rj)*s.inverseSum;
+        }
+        return R*cross(s.wRel, s.n) + skew*s.slipV;
+    }
+
+    template<class Real>
+    [[gnu::always_inline]] static V3<Real> rollingMoment
+    (
+        const Real* c, const NormalResponse<Real>& normal, const V3<Real>& rollV,
+        const V3<Real>& xi
+    )
+    {
+        return Rolling::stiffness(normal)*xi + spot(normal)*Rolling::damping(c)*rollV;
+    }
+
+    //- Whether any contact of a pack has reached its limit
+    struct Beyond { bool slides = false, yields = false; };
+
+    //- Sliding and rolling below their limits; twisting
+    template<class Real, Partner partner>
+    [[gnu::always_inline]] static Beyond resist
     (
         const Columns& list, std::size_t k, const Shared<Real>& shared, Stage<Real>& s
     )
@@ -336,15 +385,7 @@ class Composite : public ContactLaw
             else return turned(spring, s.n, s.dn, s.twistMean);
         };
 
-        // A law that acts at a distance has no spot to resist with before contact
-        Real spot(1);
-        if constexpr (Normal::atDistance)
-        {
-            spot = select(normal.radius > Real(0), Real(1), Real(0));
-        }
-
-        V3<Real> torqueI{Real(0), Real(0), Real(0)};
-        V3<Real> torqueJ = torqueI;
+        Beyond beyond;
         TwistingBase<Real> base{Real(0)};
         if constexpr (Tangential::on)
         {
@@ -352,56 +393,37 @@ class Composite : public ContactLaw
             loadConstants<Real, Tangential::nConstants>(list, cT, k, c);
             V3<Real> xi = turn(load3<Real>(list.h + hT, k));
             if constexpr (!Normal::elastic) xi = Tangential::kept(c, normal)*xi;
-            const Real pressed = normal.elastic + Real(Normal::slidingShare)*normal.pullOff;
-            const V3<Real> ft = Tangential::template evaluate<Real>
-            (
-                c, pressed, normal, before*s.slipV, s.slipV, xi
-            );
-            if constexpr (Normal::atDistance) xi = spot*xi;
+            xi = xi + before*s.slipV;
+            xi = spot(normal)*xi;
+            const Real limit = slidingLimit(c, normal);
+            s.ft = Tangential::trial(c, normal, s.slipV, xi);
+            beyond.slides = any(Tangential::slides(s.ft, limit));
             store3<Real>(list.h + hT, k, xi + after*s.slipV);
             if constexpr (Twisting::limitedBySliding)
             {
-                base.limit = Tangential::limit(c, pressed);
+                base.limit = limit;
                 base.stiffness = Tangential::stiffness(c, normal.radius);
                 base.damping = Tangential::damping(c, normal.damping);
             }
-            s.force = s.force + ft;
-            const V3<Real> nxf = cross(s.n, ft);
-            torqueI = s.ri*nxf;
-            torqueJ = s.rj*nxf;
         }
 
         if constexpr (Rolling::on)
         {
             Real c[Rolling::nConstants];
             loadConstants<Real, Rolling::nConstants>(list, cR, k, c);
-            // effective radius and (1/2)(r_i - r_j)/(r_i + r_j)
-            Real R = s.ri, skew(-0.5);
-            if constexpr (!wall)
-            {
-                R = s.ri*s.rj*s.inverseSum;
-                skew = Real(0.5)*(s.ri - s.rj)*s.inverseSum;
-            }
-            const V3<Real> rollV = R*cross(s.wRel, s.n) + skew*s.slipV;
+            Real R;
+            const V3<Real> rollV = rollVelocity<Real, partner>(s, R);
             V3<Real> xi = turn(load3<Real>(list.h + hR, k));
             if constexpr (!Normal::elastic) xi = Rolling::kept(normal)*xi;
-            V3<Real> M = Rolling::template evaluate<Real>
-            (
-                c, R, normal, before*rollV, rollV, xi
-            );
-            if constexpr (Normal::atDistance)
-            {
-                xi = spot*xi;
-                M = spot*M;
-            }
+            xi = xi + before*rollV;
+            xi = spot(normal)*xi;
+            s.M = rollingMoment(c, normal, rollV, xi);
+            beyond.yields = any(Rolling::yields(c, R, normal, xi));
             if constexpr (Twisting::limitedByBending)
             {
                 base.limit = Rolling::template limit<Real>(c, R, normal);
             }
             store3<Real>(list.h + hR, k, xi + after*rollV);
-            const V3<Real> nxm = cross(s.n, M);
-            torqueI = torqueI - nxm;
-            torqueJ = torqueJ + nxm;
         }
 
         if constexpr (Twisting::on)
@@ -411,21 +433,53 @@ class Composite : public ContactLaw
             const Real spinN = dot(s.wRel, s.n);
             Real xi = loadReal<Real>(list.h[hW] + k);
             if constexpr (!Normal::elastic) xi = Twisting::kept(normal)*xi;
-            Real moment = Twisting::template evaluate<Real>
+            s.moment = Twisting::template evaluate<Real>
             (
                 c, normal, base, before*spinN, spinN, xi
             );
-            if constexpr (Normal::atDistance)
-            {
-                xi = spot*xi;
-                moment = spot*moment;
-            }
-            storeReal<Real>(list.h[hW] + k, xi + after*spinN);
-            torqueI = torqueI + moment*s.n;
-            torqueJ = torqueJ - moment*s.n;
+            s.moment = spot(normal)*s.moment;
+            storeReal<Real>(list.h[hW] + k, spot(normal)*xi + after*spinN);
         }
-        s.torqueI = torqueI;
-        s.torqueJ = torqueJ;
+        return beyond;
+    }
+
+
+    //- Those that slide: held, and cut back to what is held
+    template<class Real>
+    [[gnu::always_inline]] static void slide
+    (
+        const Columns& list, std::size_t k, const Shared<Real>& shared, Stage<Real>& s
+    )
+    {
+        Real c[Tangential::nConstants];
+        loadConstants<Real, Tangential::nConstants>(list, cT, k, c);
+        const V3<Real> ahead = shared.after*s.slipV;
+        V3<Real> xi = load3<Real>(list.h + hT, k) - ahead;
+        s.ft = Tangential::template evaluate<Real>
+        (
+            c, slidingLimit(c, s.normal), s.normal, s.slipV, xi
+        );
+        store3<Real>(list.h + hT, k, xi + ahead);
+    }
+
+
+    //- Those whose rolling yields: cut back
+    template<class Real, Partner partner>
+    [[gnu::always_inline]] static void roll
+    (
+        const Columns& list, std::size_t k, const Shared<Real>& shared, Stage<Real>& s
+    )
+    {
+        Real c[Rolling::nConstants];
+        loadConstants<Real, Rolling::nConstants>(list, cR, k, c);
+        Real R;
+        const V3<Real> rollV = rollVelocity<Real, partner>(s, R);
+        const V3<Real> ahead = shared.after*rollV;
+        V3<Real> xi = load3<Real>(list.h + hR, k) - ahead;
+        const auto yields = Rolling::yields(c, R, s.normal, xi);
+        xi = select(yields, Rolling::cut(c, R, s.normal, xi), Real(1))*xi;
+        s.M = rollingMoment(c, s.normal, rollV, xi);
+        store3<Real>(list.h + hR, k, xi + ahead);
     }
 
 
@@ -433,15 +487,33 @@ class Composite : public ContactLaw
     template<class Real, Partner partner>
     [[gnu::always_inline]] static void deliver
     (
-        const Columns& list, std::size_t k, Load* loads, const Stage<Real>& s
+        const Columns& list, std::size_t k, Load* loads, const Real& sign,
+        const Stage<Real>& s
     )
     {
-        if constexpr (spin) addLoad<Real>(loads, list.i + k, s.force, s.torqueI);
-        else addTo<Real>(loads, list.i + k, &Load::f, s.force);
+        V3<Real> force = (-s.push)*s.n;
+        V3<Real> torqueI{Real(0), Real(0), Real(0)};
+        V3<Real> torqueJ = torqueI;
+        if constexpr (Tangential::on)
+        {
+            force = force + s.ft;
+            const V3<Real> nxf = cross(s.n, s.ft);
+            torqueI = s.ri*nxf;
+            torqueJ = s.rj*nxf;
+        }
+        V3<Real> turning{Real(0), Real(0), Real(0)};
+        if constexpr (Rolling::on) turning = cross(s.M, s.n);
+        if constexpr (Twisting::on) turning = turning + s.moment*s.n;
+        torqueI = sign*(torqueI + turning);
+        torqueJ = sign*(torqueJ - turning);
+        force = sign*force;
+
+        if constexpr (spin) addLoad<Real>(loads, list.i + k, force, torqueI);
+        else addTo<Real>(loads, list.i + k, &Load::f, force);
         if constexpr (partner != wallPartner)
         {
-            if constexpr (spin) addLoad<Real, -1>(loads, list.j + k, s.force, s.torqueJ);
-            else addTo<Real, -1>(loads, list.j + k, &Load::f, s.force);
+            if constexpr (spin) addLoad<Real, -1>(loads, list.j + k, force, torqueJ);
+            else addTo<Real, -1>(loads, list.j + k, &Load::f, force);
         }
     }
 
@@ -472,22 +544,39 @@ class Composite : public ContactLaw
         }
         if constexpr (spin)
         {
+            // those at their limits apart: branches that go now one way, now the other would
+            // throw away what the processor has begun of the next contacts
+            int slides[groups], yields[groups], nSlides = 0, nYields = 0;
             for (int g = 0; g < n; ++g)
             {
-                resist<Real, partner>(list, k + width*g, shared, stages[g]);
+                const Beyond beyond = resist<Real, partner>
+                (
+                    list, k + width*g, shared, stages[g]
+                );
+                slides[nSlides] = g;
+                yields[nYields] = g;
+                nSlides += beyond.slides;
+                nYields += beyond.yields;
+            }
+            if constexpr (Tangential::on)
+            {
+                for (int m = 0; m < nSlides; ++m)
+                {
+                    slide<Real>(list, k + width*slides[m], shared, stages[slides[m]]);
+                }
+            }
+            if constexpr (Rolling::on)
+            {
+                for (int m = 0; m < nYields; ++m)
+                {
+                    roll<Real, partner>(list, k + width*yields[m], shared, stages[yields[m]]);
+                }
             }
         }
         if (sign == 0) return ended;
         for (int g = 0; g < n; ++g)
         {
-            Stage<Real>& s = stages[g];
-            if (sign < 0)
-            {
-                s.force = Real(-1)*s.force;
-                s.torqueI = Real(-1)*s.torqueI;
-                s.torqueJ = Real(-1)*s.torqueJ;
-            }
-            deliver<Real, partner>(list, k + width*g, loads, s);
+            deliver<Real, partner>(list, k + width*g, loads, Real(sign), stages[g]);
         }
         return ended;
     }
@@ -715,7 +804,6 @@ public:
                 }
             }
             const V slipV = v - vn*n + cross(arm, n);
-            const V still{0, 0, 0};
             // power: what the part takes from the two bodies; the spring gets `input` of it
             const auto account = [&]
             (
@@ -738,13 +826,12 @@ public:
             if constexpr (Tangential::on)
             {
                 V xi = spring(h + hT, slipV);
-                const double pressed = normal.elastic + Normal::slidingShare*normal.pullOff;
+                const double limit = slidingLimit<double>(c + cT, normal);
                 const V force = Tangential::template evaluate<double>
                 (
-                    c + cT, pressed, normal, still, slipV, xi
+                    c + cT, limit, normal, slipV, xi
                 );
                 const double k = Tangential::template stiffness<double>(c + cT, normal.radius);
-                const double limit = Tangential::template limit<double>(c + cT, pressed);
                 account
                 (
                     e.springs[0], limit, k, dot(xi, xi), k*dot(xi, slipV), -dot(force, slipV)
@@ -757,11 +844,12 @@ public:
                 const V turning = cross(wRel, n);
                 const V rollV = R*turning + skew*slipV;
                 V xi = spring(h + hR, rollV);
-                const V M = Rolling::template evaluate<double>
-                (
-                    c + cR, R, normal, still, rollV, xi
-                );
+                if (Rolling::template yields<double>(c + cR, R, normal, xi))
+                {
+                    xi = Rolling::template cut<double>(c + cR, R, normal, xi)*xi;
+                }
                 const double k = Rolling::stiffness(normal);
+                const V M = rollingMoment<double>(c + cR, normal, rollV, xi);
                 const double limit = Rolling::template limit<double>(c + cR, R, normal);
                 account
                 (
@@ -837,7 +925,7 @@ public:
             const double k = Rolling::stiffness(c + cR, s.R, overlap, pullOff);
             if (k > 0) square = std::min(square, 1/(k*turning));
             result.rolling = 2*k;
-            result.rollingDamping = Rolling::damping(c + cR);
+            result.rollingDamping = Rolling::template damping<double>(c + cR);
             if (k > 0) result.turnTime = result.rollingDamping/k;
         }
         if constexpr (Twisting::on)

@@ -76,7 +76,8 @@ struct bending
     }
 
     //- eta_R [N s]
-    static double damping(const double* c) { return c[1]; }
+    template<class Real>
+    [[gnu::always_inline]] static Real damping(const Real* c) { return c[1]; }
 
     //- B_max [N m] of a contact that has not been loaded before
     static double yield(const double* c, double, double pullOff)
@@ -108,28 +109,24 @@ struct bending
         return Real(0.5)*normal.pullOff;
     }
 
-    //- The vector M with torque on i = -n x M [N m]
+    //- Whether xi is beyond what B_max holds
     template<class Real>
-    [[gnu::always_inline]] static V3<Real> evaluate
+    [[gnu::always_inline]] static auto yields
     (
-        const Real* c,
-        const Real&,
-        const NormalResponse<Real>& normal,
-        const V3<Real>& roll,           // moved on this step [m]
-        const V3<Real>& rollVelocity,
-        V3<Real>& xi
+        const Real* c, const Real&, const NormalResponse<Real>& normal, const V3<Real>& xi
     )
     {
-        xi = xi + roll;
-        const Real square = dot(xi, xi);
-        const Real largest = c[0]*c[0]*normal.pullOff;
-        const auto yields = square > largest;
-        if (any(yields))
-        {
-            const Real cut = squareRoot(largest/maximum(square, Real(1e-290)));
-            xi = select(yields, cut, Real(1))*xi;
-        }
-        return stiffness(normal)*xi + c[1]*rollVelocity;
+        return dot(xi, xi) > c[0]*c[0]*normal.pullOff;
+    }
+
+    //- Share of xi that is left there
+    template<class Real>
+    [[gnu::always_inline]] static Real cut
+    (
+        const Real* c, const Real&, const NormalResponse<Real>& normal, const V3<Real>& xi
+    )
+    {
+        return squareRoot(c[0]*c[0]*normal.pullOff/maximum(dot(xi, xi), Real(1e-290)));
     }
 };
 

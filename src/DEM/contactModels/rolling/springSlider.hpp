@@ -95,7 +95,8 @@ struct springSlider
     }
 
     //- eta_R [N s]
-    static double damping(const double* c) { return c[1]; }
+    template<class Real>
+    [[gnu::always_inline]] static Real damping(const Real* c) { return c[1]; }
 
     //- 4 F_C xi_crit [N m]
     static double yield(const double* c, double R, double pullOff)
@@ -116,28 +117,24 @@ struct springSlider
         return stiffness(normal)*c[0]*R;
     }
 
-    //- The vector M with torque on i = -n x M [N m]
+    //- Whether xi is beyond the critical displacement
     template<class Real>
-    [[gnu::always_inline]] static V3<Real> evaluate
+    [[gnu::always_inline]] static auto yields
     (
-        const Real* c,
-        const Real& R,
-        const NormalResponse<Real>& normal,
-        const V3<Real>& roll,           // moved on this step [m]
-        const V3<Real>& rollVelocity,
-        V3<Real>& xi
+        const Real* c, const Real& R, const NormalResponse<Real>&, const V3<Real>& xi
     )
     {
-        xi = xi + roll;
-        const Real square = dot(xi, xi);
-        const Real largest = c[0]*R;
-        const auto rolls = square > largest*largest;
-        if (any(rolls))
-        {
-            const Real size = squareRoot(maximum(square, Real(1e-290)));
-            xi = select(rolls, largest/size, Real(1))*xi;
-        }
-        return stiffness(normal)*xi + c[1]*rollVelocity;
+        return dot(xi, xi) > c[0]*R*(c[0]*R);
+    }
+
+    //- Share of xi that is left there
+    template<class Real>
+    [[gnu::always_inline]] static Real cut
+    (
+        const Real* c, const Real& R, const NormalResponse<Real>&, const V3<Real>& xi
+    )
+    {
+        return c[0]*R/squareRoot(maximum(dot(xi, xi), Real(1e-290)));
     }
 };
 

@@ -82,33 +82,46 @@ struct springDashpotSlider
         return c[2]*magnitude(pressed);
     }
 
-    //- Force on i [N]; xi is moved on by slip [m] and cut back at the limit
+    //- Force on i [N] below the limit
+    template<class Real>
+    [[gnu::always_inline]] static V3<Real> trial
+    (
+        const Real* c,
+        const NormalResponse<Real>& normal,
+        const V3<Real>& slipVelocity,
+        const V3<Real>& xi
+    )
+    {
+        return
+            (-stiffness(c, normal.radius))*xi - damping(c, normal.damping)*slipVelocity;
+    }
+
+    //- Whether such a force is beyond the limit
+    template<class Real>
+    [[gnu::always_inline]] static auto slides(const V3<Real>& trial, const Real& limit)
+    {
+        return dot(trial, trial) > limit*limit;
+    }
+
+    //- Force on i [N]; xi is cut back at the limit
     template<class Real>
     [[gnu::always_inline]] static V3<Real> evaluate
     (
         const Real* c,
-        const Real& pressed,            // F_N + 2 F_C [N]
+        const Real& limit,
         const NormalResponse<Real>& normal,
-        const V3<Real>& slip,
         const V3<Real>& slipVelocity,
         V3<Real>& xi
     )
     {
-        const Real k = stiffness(c, normal.radius);
-        const Real eta = damping(c, normal.damping);
-        xi = xi + slip;
-        const V3<Real> dash = eta*slipVelocity;
-        const V3<Real> trial = k*xi + dash;
-        const Real cap = limit(c, pressed);
-        const Real square = dot(trial, trial);
-        const auto slides = square > cap*cap;
-        if (!any(slides)) return Real(-1)*trial;
-
-        const Real size = squareRoot(maximum(square, Real(1e-290)));
-        const V3<Real> held = select(slides, cap/size, Real(1))*trial;
-        const Real stored = k*squareRoot(maximum(dot(xi, xi), Real(1e-290)));
-        xi = select(stored > cap, cap/maximum(stored, Real(1e-290)), Real(1))*xi;
-        return Real(-1)*held;
+        const V3<Real> F = trial(c, normal, slipVelocity, xi);
+        const auto beyond = slides(F, limit);
+        const Real size = squareRoot(maximum(dot(F, F), Real(1e-290)));
+        const Real stored =
+            stiffness(c, normal.radius)*squareRoot(maximum(dot(xi, xi), Real(1e-290)));
+        const auto longer = select(beyond, stored, Real(0)) > limit;
+        xi = select(longer, limit/maximum(stored, Real(1e-290)), Real(1))*xi;
+        return select(beyond, limit/size, Real(1))*F;
     }
 };
 
