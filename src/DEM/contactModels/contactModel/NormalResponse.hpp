@@ -13,7 +13,7 @@ struct NormalResponse
     Real radius;    // radius that carries the sliding and twisting stiffness [m]
     Real strength;  // (a/a0)^(3/2) [-], the growth of the rolling stiffness with load
     Real remaining; // [m]; negative: the contact has ended
-    Real pullOff;   // F_C of the pair of the limits, as past loads have left it [N]
+    Real pullOff;   // F_C of the unsoftened contact, as past loads have left it [N]
 
     // Laws that are not elastic only
     Real pullOffBefore = Real(0);   // at the last evaluation [N]

@@ -7,9 +7,9 @@
 // xi [m] is the sliding displacement, v_S [m/s] the slip velocity of the two surfaces,
 // G [Pa] the effective shear modulus, a [m] the radius that the normal law gives, eta_T the
 // dashpot that the normal law gives, mu [-] the friction coefficient, F_N the elastic normal
-// force, F_C the pull-off force of the unsoftened contact (2 F_C is F_C or 0 with some normal
-// laws: their slidingShare). Where the limit is reached the
-// stored displacement is cut back too, so that F_T keeps its direction and unloads at once.
+// force, F_C the pull-off force of the unsoftened contact (its share, 2 here, is the normal
+// law's slidingShare). Where the limit is reached the stored displacement is cut back too, so
+// that F_T keeps its direction and unloads at once.
 // Source: Haervig et al. 2017, eq. 16 (dashpot); Chen, Liu & Li 2019.
 // Keyword: tangential { model springDashpotSlider; friction 0.3; }
 // Proof: tests/unit/DEM/contactLaws.cpp, tests/verification/DEM/slipToRoll.cpp
@@ -75,7 +75,7 @@ struct springDashpotSlider
         return normal.radiusKept;
     }
 
-    //- mu |F_N + 2 F_C| [N]
+    //- mu |F_N + 2 F_C| [N]; pressed = F_N + 2 F_C
     template<class Real>
     [[gnu::always_inline]] static Real limit(const Real* c, const Real& pressed)
     {
@@ -108,7 +108,7 @@ struct springDashpotSlider
     [[gnu::always_inline]] static V3<Real> evaluate
     (
         const Real* c,
-        const Real& limit,
+        const Real& limit,              // [N]
         const NormalResponse<Real>& normal,
         const V3<Real>& slipVelocity,
         V3<Real>& xi
