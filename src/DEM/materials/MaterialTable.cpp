@@ -138,7 +138,8 @@ MaterialTable::MaterialTable
             c.chi = chi;
             c.E = chi*c.realE;
             c.G = chi*mixedG*c.realE/mixedE;
-            c.gamma = softening_.surfaceEnergyFactor()*c.realGamma;
+            c.gammaFactor = softening_.surfaceEnergyFactor();
+            c.gamma = c.gammaFactor*c.realGamma;
             c.softened = true;
             c.scaleResistance = softening_.scaleResistance;
 

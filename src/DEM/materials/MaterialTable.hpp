@@ -8,6 +8,7 @@
 #include "materials/Material.hpp"
 #include "reducedStiffness/ReducedStiffness.hpp"
 
+#include <cmath>
 #include <map>
 #include <memory>
 #include <string>
@@ -28,17 +29,29 @@ struct PairConstants
     double realE;           // [Pa], chi = 1
     double realGamma;       // [J/m2], chi = 1
     double chi;             // E/realE
+    double gammaFactor;     // gamma/realGamma; both are exactly the same for all pairs
     bool softened;          // false: the real contact
     bool scaleResistance;   // limits() are softened as well (studies)
 
     //- The same pair without softening
     PairConstants real() const
     {
-        return {realE, G/chi, realGamma, realE, realGamma, 1, false, scaleResistance};
+        return {realE, G/chi, realGamma, realE, realGamma, 1, 1, false, scaleResistance};
     }
 
     //- The pair from whose numbers the limits of rolling, sliding and twisting are made
     PairConstants limits() const { return scaleResistance ? *this : real(); }
+
+    //- The gamma of limits() over this one's
+    double strengthFactor() const { return scaleResistance ? 1 : 1/gammaFactor; }
+
+    //- The contact radius of limits() over this one's, where it goes with (gamma/E)^(1/3), and
+    //  at given impact without adhesion
+    double radiusFactor() const
+    {
+        if (scaleResistance) return 1;
+        return gamma > 0 ? std::cbrt(chi/gammaFactor) : std::pow(chi, 0.2);
+    }
 };
 
 //- Dimensional figures of one contact, for tables and checks

@@ -1364,11 +1364,9 @@ std::vector<ContactView> System::contacts() const
                 wall ? p.radius : p.radius*q.radius/(p.radius + q.radius);
             const double m = wall ? p.mass : p.mass*q.mass/(p.mass + q.mass);
             double constants[maxConstants];
-            const double skew =
-                wall ? -0.5 : 0.5*(p.radius - q.radius)/(p.radius + q.radius);
             law.prepare
             (
-                s.materials.pairInLaw(p.material, mj), {pair, R, m, skew}, constants
+                s.materials.pairInLaw(p.material, mj), {pair, R, m}, constants
             );
 
             // the kernels work on a copy of the history
@@ -1435,8 +1433,9 @@ std::vector<ContactView> System::contacts() const
                 law.normalResponse(constants, v.overlap, history);
             v.contactRadius = normal.radius;
             v.pullOff =
-                law.pullOff(s.materials.pairInLaw(p.material, mj), pair, R)
-              + normal.buildUp;
+                law.elastic()
+              ? law.pullOff(s.materials.pairInLaw(p.material, mj), pair, R)
+              : normal.pullOff;
             v.resting = s.rest[i].resting;
             result.push_back(v);
         }

@@ -173,7 +173,6 @@ void IslandIntegrator::contactConstants(int i, int j, int materialJ, double* c) 
         const Particle& q = particles_[std::size_t(j)];
         scale.R = p.radius*q.radius/(p.radius + q.radius);
         scale.m = p.mass*q.mass/(p.mass + q.mass);
-        scale.skew = 0.5*(p.radius - q.radius)/(p.radius + q.radius);
     }
     materials_.laws()[std::size_t(materials_.lawIndex(mi, materialJ))]->prepare
     (
@@ -225,7 +224,7 @@ void IslandIntegrator::begin
     e.edge = law.touchDistance(pairInLaw, pair) > 0 ? 0 : -e.neck;
     e.pullOff = law.pullOff(pairInLaw, pair, e.R);
     e.a0 = law.equilibriumRadius(pairInLaw, pair, e.R);
-    e.yield = law.rollingYield(constants);
+    e.yield = law.rollingYield(constants, e.R);
 
     int tag;
     if (freeEntries_.empty())

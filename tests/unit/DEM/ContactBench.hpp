@@ -74,10 +74,9 @@ public:
         const double mi = law_.mass(ri), mj = rj > 0 ? law_.mass(rj) : 0;
         const double R = rj > 0 ? ri*rj/(ri + rj) : ri;
         const double m = rj > 0 ? mi*mj/(mi + mj) : mi;
-        const double skew = rj > 0 ? 0.5*(ri - rj)/(ri + rj) : -0.5;
         contactLaw_->prepare
         (
-            table_.pairInLaw(0, 1), {table_.constants(0, 1), R, m, skew}, c.data()
+            table_.pairInLaw(0, 1), {table_.constants(0, 1), R, m}, c.data()
         );
         return c;
     }

@@ -142,7 +142,7 @@ TEST(bending, stiffnessAndCap)
             const double first = strengthOf(law, ri, rj, 0).Fc;
             EXPECT_TRUE(close
             (
-                b.law().rollingYield(b.constants(ri, rj).data()).moment,
+                b.law().rollingYield(b.constants(ri, rj).data(), R).moment,
                 bf*first/2*std::sqrt(R*first/s.K), 1e-6
             ));
         }
@@ -185,13 +185,14 @@ TEST(bending, strengthUnderSoftening)
             const double r = 1e-6;
             const Strength s = strengthOf(law, r, -1, 0, scaled);
             const ContactBench b(law);
-            const double yield = b.law().rollingYield(b.constants(r, -1).data()).moment;
+            const double yield = b.law().rollingYield(b.constants(r, -1).data(), r).moment;
             EXPECT_TRUE(close(yield, bf*s.Fc/2*std::sqrt(r*s.Fc/s.K), 1e-6));
 
             // B_max goes with F_c^(3/2)/K'_R^(1/2): chi^(3/5 - 2/5)
             Law real = lawOf(normal);
             const ContactBench original(real);
-            const double whole = original.law().rollingYield(original.constants(r, -1).data()).moment;
+            const double whole =
+                original.law().rollingYield(original.constants(r, -1).data(), r).moment;
             const double expected = !scaled ? 1 : plastic ? 2 : std::pow(0.01, 0.2);
             EXPECT_TRUE(close(yield/whole, expected, 1e-9));
         }

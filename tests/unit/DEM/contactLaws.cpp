@@ -720,7 +720,7 @@ TEST(rolling, dashpot)
     b.add(p);
     b.evaluate(0);
     EXPECT_TRUE(near(b.loads(0).torqueI, Vec3(0, -3e-9*2e-3, 0), 1e-24));
-    EXPECT_EQ(b.law().rollingYield(b.constants(r, -1).data()).moment, 4*c.pullOff()*0.01*r);
+    EXPECT_EQ(b.law().rollingYield(b.constants(r, -1).data(), r).moment, 4*c.pullOff()*0.01*r);
 }
 
 
@@ -747,7 +747,7 @@ TEST(rolling, yieldUnderSoftening)
             const ContactBench softened(law);
             const auto yield = [](const ContactBench& b)
             {
-                return b.law().rollingYield(b.constants(1e-6, -1).data()).moment;
+                return b.law().rollingYield(b.constants(1e-6, -1).data(), 1e-6).moment;
             };
             EXPECT_TRUE
             (

@@ -133,11 +133,13 @@ class Composite : public ContactLaw
     template<class Real>
     struct Stage
     {
-        Real ri, rj, overlap, inverseDistance, vn;
+        Real ri, rj, inverseSum, overlap, inverseDistance, vn;
         V3<Real> n, dn, slipV, wRel;
         Real twistMean;
         NormalResponse<Real> normal;    // without `remaining`
-        V3<Real> force, torqueI, torqueJ;
+        Real push;                      // F_N + eta_N delta'
+        V3<Real> ft, M;                 // F_T, M_r
+        Real moment;                    // M_t
     };
 
     template<class Real>
@@ -220,7 +222,15 @@ class Composite : public ContactLaw
                 d.z = nearest(d.z, shared.period.z, shared.inversePeriod.z);
             }
             const Real distance = squareRoot(maximum(dot(d, d), Real(1e-290)));
-            s.inverseDistance = Real(1)/distance;
+            if constexpr (Rolling::on)
+            {
+                // two reciprocals for one quotient
+                const Real sum = s.ri + s.rj;
+                const Real inverse = Real(1)/(distance*sum);
+                s.inverseDistance = inverse*sum;
+                s.inverseSum = inverse*distance;
+            }
+            else s.inverseDistance = Real(1)/distance;
             s.n = s.inverseDistance*d;
             s.overlap = s.ri + s.rj - distance;
             storeReal<Real>(list.overlap + k, s.overlap);
@@ -285,18 +295,17 @@ class Composite : public ContactLaw
         s.normal.damping = normal.damping;
         s.normal.radius = normal.radius;
         s.normal.strength = normal.strength;
+        s.normal.pullOff = normal.pullOff;
         if constexpr (!Normal::elastic)
         {
-            s.normal.buildUp = normal.buildUp;
-            s.normal.buildUpBefore = normal.buildUpBefore;
+            s.normal.pullOffBefore = normal.pullOffBefore;
             s.normal.radiusKept = normal.radiusKept;
         }
         for (int a = 0; a < Normal::nHistory; ++a)
         {
             storeReal<Real>(list.h[a] + k, memory[a]);
         }
-        const Real push = normal.elastic + normal.damping*s.vn;
-        s.force = (-push)*s.n;
+        s.push = normal.elastic + normal.damping*s.vn;
 
         const bool anyOver = any(normal.remaining < Real(0));
         for (int l = 0; l < laneCount<Real>; ++l) list.ended[k + std::size_t(l)] = 0;
@@ -311,9 +320,57 @@ class Composite : public ContactLaw
     }
 
 
-    //- Sliding, rolling, twisting
+    //- 1, or 0 where a law that acts at a distance has no spot to resist with
+    template<class Real>
+    [[gnu::always_inline]] static Real spot(const NormalResponse<Real>& normal)
+    {
+        if constexpr (!Normal::atDistance) return Real(1);
+        else return select(normal.radius > Real(0), Real(1), Real(0));
+    }
+
+    template<class Real>
+    [[gnu::always_inline]] static Real slidingLimit
+    (
+        const Real* c, const NormalResponse<Real>& normal
+    )
+    {
+        return Tangential::template limit<Real>
+        (
+            c, normal.elastic + Real(Normal::slidingShare)*normal.pullOff
+        );
+    }
+
+    //- v_L of the rolling parts; R is set to the effective radius
     template<class Real, Partner partner>
-    [[gnu::always_inline]] static void resist
+    [[gnu::always_inline]] static V3<Real> rollVelocity(const Stage<Real>& s, Real& R)
+    {
+        // (1/2)(r_i - r_j)/(r_i + r_j)
+        Real skew(-0.5);
+        R = s.ri;
+        if constexpr (partner != wallPartner)
+        {
+            R = s.ri*s.rj*s.inverseSum;
+            skew = Real(0.5)*(s.ri - s.rj)*s.inverseSum;
+        }
+        return R*cross(s.wRel, s.n) + skew*s.slipV;
+    }
+
+    template<class Real>
+    [[gnu::always_inline]] static V3<Real> rollingMoment
+    (
+        const Real* c, const NormalResponse<Real>& normal, const V3<Real>& rollV,
+        const V3<Real>& xi
+    )
+    {
+        return Rolling::stiffness(normal)*xi + spot(normal)*Rolling::damping(c)*rollV;
+    }
+
+    //- Whether any contact of a pack has reached its limit
+    struct Beyond { bool slides = false, yields = false; };
+
+    //- Sliding and rolling below their limits; twisting
+    template<class Real, Partner partner>
+    [[gnu::always_inline]] static Beyond resist
     (
         const Columns& list, std::size_t k, const Shared<Real>& shared, Stage<Real>& s
     )
@@ -328,66 +385,45 @@ class Composite : public ContactLaw
             else return turned(spring, s.n, s.dn, s.twistMean);
         };
 
-        // What friction presses on: the pull-off force as past loads have left it
-        Real pressed = normal.elastic;
-        if constexpr (!Normal::elastic) pressed = pressed + normal.buildUp;
-
-        // A law that acts at a distance has no spot to resist with before contact
-        Real spot(1);
-        if constexpr (Normal::atDistance)
-        {
-            spot = select(normal.radius > Real(0), Real(1), Real(0));
-        }
-
-        V3<Real> torqueI{Real(0), Real(0), Real(0)};
-        V3<Real> torqueJ = torqueI;
-        Real twistingLimit(0);
+        Beyond beyond;
+        TwistingBase<Real> base{Real(0)};
         if constexpr (Tangential::on)
         {
             Real c[Tangential::nConstants];
             loadConstants<Real, Tangential::nConstants>(list, cT, k, c);
             V3<Real> xi = turn(load3<Real>(list.h + hT, k));
             if constexpr (!Normal::elastic) xi = Tangential::kept(c, normal)*xi;
-            const V3<Real> ft = Tangential::template evaluate<Real>
-            (
-                c, pressed, normal.damping, normal.radius, before*s.slipV, s.slipV, xi
-            );
-            if constexpr (Normal::atDistance) xi = spot*xi;
+            xi = xi + before*s.slipV;
+            xi = spot(normal)*xi;
+            const Real limit = slidingLimit(c, normal);
+            s.ft = Tangential::trial(c, normal, s.slipV, xi);
+            beyond.slides = any(Tangential::slides(s.ft, limit));
             store3<Real>(list.h + hT, k, xi + after*s.slipV);
             if constexpr (Twisting::limitedBySliding)
             {
-                twistingLimit = Tangential::template limit<Real>(c, pressed);
+                base.limit = limit;
+                base.stiffness = Tangential::stiffness(c, normal.radius);
+                base.damping = Tangential::damping(c, normal.damping);
             }
-            s.force = s.force + ft;
-            const V3<Real> nxf = cross(s.n, ft);
-            torqueI = s.ri*nxf;
-            torqueJ = s.rj*nxf;
         }
 
         if constexpr (Rolling::on)
         {
             Real c[Rolling::nConstants];
             loadConstants<Real, Rolling::nConstants>(list, cR, k, c);
-            // the last two constants of every rolling part
-            const Real skew = c[Rolling::nConstants - 2];
-            const Real R = c[Rolling::nConstants - 1];
-            const V3<Real> rollV = R*cross(s.wRel, s.n) + skew*s.slipV;
+            Real R;
+            const V3<Real> rollV = rollVelocity<Real, partner>(s, R);
             V3<Real> xi = turn(load3<Real>(list.h + hR, k));
-            if constexpr (!Normal::elastic) xi = Rolling::kept(c, normal)*xi;
-            V3<Real> M = Rolling::template evaluate<Real>(c, normal, before*rollV, rollV, xi);
-            if constexpr (Normal::atDistance)
-            {
-                xi = spot*xi;
-                M = spot*M;
-            }
+            if constexpr (!Normal::elastic) xi = Rolling::kept(normal)*xi;
+            xi = xi + before*rollV;
+            xi = spot(normal)*xi;
+            s.M = rollingMoment(c, normal, rollV, xi);
+            beyond.yields = any(Rolling::yields(c, R, normal, xi));
             if constexpr (Twisting::limitedByBending)
             {
-                twistingLimit = Rolling::template limit<Real>(c, normal);
+                base.limit = Rolling::template limit<Real>(c, R, normal);
             }
             store3<Real>(list.h + hR, k, xi + after*rollV);
-            const V3<Real> nxm = cross(s.n, M);
-            torqueI = torqueI - nxm;
-            torqueJ = torqueJ + nxm;
         }
 
         if constexpr (Twisting::on)
@@ -396,22 +432,54 @@ class Composite : public ContactLaw
             loadConstants<Real, Twisting::nConstants>(list, cW, k, c);
             const Real spinN = dot(s.wRel, s.n);
             Real xi = loadReal<Real>(list.h[hW] + k);
-            if constexpr (!Normal::elastic) xi = Twisting::kept(c, normal)*xi;
-            Real moment = Twisting::template evaluate<Real>
+            if constexpr (!Normal::elastic) xi = Twisting::kept(normal)*xi;
+            s.moment = Twisting::template evaluate<Real>
             (
-                c, normal, twistingLimit, before*spinN, spinN, xi
+                c, normal, base, before*spinN, spinN, xi
             );
-            if constexpr (Normal::atDistance)
-            {
-                xi = spot*xi;
-                moment = spot*moment;
-            }
-            storeReal<Real>(list.h[hW] + k, xi + after*spinN);
-            torqueI = torqueI + moment*s.n;
-            torqueJ = torqueJ - moment*s.n;
+            s.moment = spot(normal)*s.moment;
+            storeReal<Real>(list.h[hW] + k, spot(normal)*xi + after*spinN);
         }
-        s.torqueI = torqueI;
-        s.torqueJ = torqueJ;
+        return beyond;
+    }
+
+
+    //- Those that slide: held, and cut back to what is held
+    template<class Real>
+    [[gnu::always_inline]] static void slide
+    (
+        const Columns& list, std::size_t k, const Shared<Real>& shared, Stage<Real>& s
+    )
+    {
+        Real c[Tangential::nConstants];
+        loadConstants<Real, Tangential::nConstants>(list, cT, k, c);
+        const V3<Real> ahead = shared.after*s.slipV;
+        V3<Real> xi = load3<Real>(list.h + hT, k) - ahead;
+        s.ft = Tangential::template evaluate<Real>
+        (
+            c, slidingLimit(c, s.normal), s.normal, s.slipV, xi
+        );
+        store3<Real>(list.h + hT, k, xi + ahead);
+    }
+
+
+    //- Those whose rolling yields: cut back
+    template<class Real, Partner partner>
+    [[gnu::always_inline]] static void roll
+    (
+        const Columns& list, std::size_t k, const Shared<Real>& shared, Stage<Real>& s
+    )
+    {
+        Real c[Rolling::nConstants];
+        loadConstants<Real, Rolling::nConstants>(list, cR, k, c);
+        Real R;
+        const V3<Real> rollV = rollVelocity<Real, partner>(s, R);
+        const V3<Real> ahead = shared.after*rollV;
+        V3<Real> xi = load3<Real>(list.h + hR, k) - ahead;
+        const auto yields = Rolling::yields(c, R, s.normal, xi);
+        xi = select(yields, Rolling::cut(c, R, s.normal, xi), Real(1))*xi;
+        s.M = rollingMoment(c, s.normal, rollV, xi);
+        store3<Real>(list.h + hR, k, xi + ahead);
     }
 
 
@@ -419,15 +487,33 @@ class Composite : public ContactLaw
     template<class Real, Partner partner>
     [[gnu::always_inline]] static void deliver
     (
-        const Columns& list, std::size_t k, Load* loads, const Stage<Real>& s
+        const Columns& list, std::size_t k, Load* loads, const Real& sign,
+        const Stage<Real>& s
     )
     {
-        if constexpr (spin) addLoad<Real>(loads, list.i + k, s.force, s.torqueI);
-        else addTo<Real>(loads, list.i + k, &Load::f, s.force);
+        V3<Real> force = (-s.push)*s.n;
+        V3<Real> torqueI{Real(0), Real(0), Real(0)};
+        V3<Real> torqueJ = torqueI;
+        if constexpr (Tangential::on)
+        {
+            force = force + s.ft;
+            const V3<Real> nxf = cross(s.n, s.ft);
+            torqueI = s.ri*nxf;
+            torqueJ = s.rj*nxf;
+        }
+        V3<Real> turning{Real(0), Real(0), Real(0)};
+        if constexpr (Rolling::on) turning = cross(s.M, s.n);
+        if constexpr (Twisting::on) turning = turning + s.moment*s.n;
+        torqueI = sign*(torqueI + turning);
+        torqueJ = sign*(torqueJ - turning);
+        force = sign*force;
+
+        if constexpr (spin) addLoad<Real>(loads, list.i + k, force, torqueI);
+        else addTo<Real>(loads, list.i + k, &Load::f, force);
         if constexpr (partner != wallPartner)
         {
-            if constexpr (spin) addLoad<Real, -1>(loads, list.j + k, s.force, s.torqueJ);
-            else addTo<Real, -1>(loads, list.j + k, &Load::f, s.force);
+            if constexpr (spin) addLoad<Real, -1>(loads, list.j + k, force, torqueJ);
+            else addTo<Real, -1>(loads, list.j + k, &Load::f, force);
         }
     }
 
@@ -458,22 +544,39 @@ class Composite : public ContactLaw
         }
         if constexpr (spin)
         {
+            // those at their limits apart: branches that go now one way, now the other would
+            // throw away what the processor has begun of the next contacts
+            int slides[groups], yields[groups], nSlides = 0, nYields = 0;
             for (int g = 0; g < n; ++g)
             {
-                resist<Real, partner>(list, k + width*g, shared, stages[g]);
+                const Beyond beyond = resist<Real, partner>
+                (
+                    list, k + width*g, shared, stages[g]
+                );
+                slides[nSlides] = g;
+                yields[nYields] = g;
+                nSlides += beyond.slides;
+                nYields += beyond.yields;
+            }
+            if constexpr (Tangential::on)
+            {
+                for (int m = 0; m < nSlides; ++m)
+                {
+                    slide<Real>(list, k + width*slides[m], shared, stages[slides[m]]);
+                }
+            }
+            if constexpr (Rolling::on)
+            {
+                for (int m = 0; m < nYields; ++m)
+                {
+                    roll<Real, partner>(list, k + width*yields[m], shared, stages[yields[m]]);
+                }
             }
         }
         if (sign == 0) return ended;
         for (int g = 0; g < n; ++g)
         {
-            Stage<Real>& s = stages[g];
-            if (sign < 0)
-            {
-                s.force = Real(-1)*s.force;
-                s.torqueI = Real(-1)*s.torqueI;
-                s.torqueJ = Real(-1)*s.torqueJ;
-            }
-            deliver<Real, partner>(list, k + width*g, loads, s);
+            deliver<Real, partner>(list, k + width*g, loads, Real(sign), stages[g]);
         }
         return ended;
     }
@@ -542,28 +645,30 @@ public:
     {
         const Pair& p = pairs_[std::size_t(pair)];
         const PairConstants limits = s.pair.limits();
-        const double strength = Normal::pullOff(p.n, limits, s.R);
         const double a0 = Normal::equilibriumRadius(p.n, limits, s.R);
-        const double a0Soft = Normal::equilibriumRadius(p.n, s.pair, s.R);
+        // as a quotient it would differ in the last digit from contact to contact
+        double radiusFactor = s.pair.radiusFactor();
+        if constexpr (!Normal::elastic)
+        {
+            const double a0Soft = Normal::equilibriumRadius(p.n, s.pair, s.R);
+            radiusFactor = a0Soft > 0 ? a0/a0Soft : 1;
+        }
         const ResistanceScale resistance
         {
-            strength,
-            Normal::slidingOffset(strength),
             a0,
-            // without adhesion a grows as chi^(-1/5) at given impact
-            a0Soft > 0 ? a0/a0Soft : std::pow(s.pair.chi/limits.chi, 0.2),
+            radiusFactor,
             Normal::loadingStiffness(p.n, limits, s.R)
         };
         // shear is softened with the law's own stiffness
         PairConstants pairOfShear = s.pair;
         if constexpr (!Normal::elastic) pairOfShear.G *= Normal::shearFactor(p.n);
-        const ContactScale shear{pairOfShear, s.R, s.m, s.skew};
+        const ContactScale shear{pairOfShear, s.R, s.m};
         const double dashRatio = Normal::tangentialDampingRatio(s.pair);
 
         Normal::prepare(p.n, s, c);
         if constexpr (Tangential::on)
         {
-            Tangential::prepare(p.t, shear, resistance, dashRatio, c + cT);
+            Tangential::prepare(p.t, shear, dashRatio, c + cT);
         }
         if constexpr (Rolling::on)
         {
@@ -571,7 +676,7 @@ public:
         }
         if constexpr (Twisting::on)
         {
-            Twisting::prepare(p.w, shear, resistance, dashRatio, c + cW);
+            Twisting::prepare(p.w, shear, resistance, c + cW);
         }
     }
 
@@ -605,18 +710,20 @@ public:
         }
     }
 
-    RollingYield rollingYield(const double* c) const override
+    RollingYield rollingYield(const double* c, double R) const override
     {
         if constexpr (Rolling::on)
         {
-            const double moment = Rolling::yield(c + cR);
-            const double R = c[cR + Rolling::nConstants - 1];
-            const double k = Rolling::stiffness(c + cR, 0, 0)*R;
+            double memory[Normal::nHistory > 0 ? Normal::nHistory : 1] = {};
+            const double pullOff = Normal::template evaluate<double>(c, 0, memory).pullOff;
+            const double moment = Rolling::yield(c + cR, R, pullOff);
+            const double k = Rolling::stiffness(c + cR, R, 0, pullOff)*R;
             return {moment, k > 0 ? 0.5*moment*moment/k : 0};
         }
         else
         {
             (void)c;
+            (void)R;
             return {0, 0};
         }
     }
@@ -651,7 +758,7 @@ public:
         const auto vector = [](const double* a) { return V{a[0], a[1], a[2]}; };
         const Body& bi = bodies[list.i[k]];
         V n, v = vector(bi.v), wRel = vector(bi.w), arm = bi.r*wRel;
-        double overlap;
+        double overlap, R = bi.r, skew = -0.5;
         if (list.isWall())
         {
             n = {list.nx[k], list.ny[k], list.nz[k]};
@@ -667,6 +774,8 @@ public:
             const double distance = d.norm();
             n = (1/distance)*V{d[0], d[1], d[2]};
             overlap = bi.r + bj.r - distance;
+            R = bi.r*bj.r/(bi.r + bj.r);
+            skew = 0.5*(bi.r - bj.r)/(bi.r + bj.r);
             v = v - vector(bj.v);
             wRel = wRel - vector(bj.w);
             arm = arm + bj.r*vector(bj.w);
@@ -695,7 +804,6 @@ public:
                 }
             }
             const V slipV = v - vn*n + cross(arm, n);
-            const V still{0, 0, 0};
             // power: what the part takes from the two bodies; the spring gets `input` of it
             const auto account = [&]
             (
@@ -713,46 +821,43 @@ public:
             {
                 return vector(stored) - ahead*velocity;
             };
-            double pressed = normal.elastic;
-            if constexpr (!Normal::elastic) pressed += normal.buildUp;
-            double twistingLimit = 0;
+            TwistingBase<double> base{0};
 
             if constexpr (Tangential::on)
             {
                 V xi = spring(h + hT, slipV);
+                const double limit = slidingLimit<double>(c + cT, normal);
                 const V force = Tangential::template evaluate<double>
                 (
-                    c + cT, pressed, normal.damping, normal.radius, still, slipV, xi
+                    c + cT, limit, normal, slipV, xi
                 );
-                const double k = Tangential::stiffness(c + cT, normal.radius);
-                const double limit = Tangential::template limit<double>(c + cT, pressed);
+                const double k = Tangential::template stiffness<double>(c + cT, normal.radius);
                 account
                 (
                     e.springs[0], limit, k, dot(xi, xi), k*dot(xi, slipV), -dot(force, slipV)
                 );
                 e.springs[0].stiffness = k;
-                if constexpr (Twisting::limitedBySliding) twistingLimit = limit;
+                base = {limit, k, Tangential::template damping<double>(c + cT, normal.damping)};
             }
             if constexpr (Rolling::on)
             {
-                const double skew = c[cR + Rolling::nConstants - 2];
-                const double R = c[cR + Rolling::nConstants - 1];
                 const V turning = cross(wRel, n);
                 const V rollV = R*turning + skew*slipV;
                 V xi = spring(h + hR, rollV);
-                const V M = Rolling::template evaluate<double>
-                (
-                    c + cR, normal, still, rollV, xi
-                );
-                const double k = Rolling::stiffness(c + cR, normal);
-                const double limit = Rolling::template limit<double>(c + cR, normal);
+                if (Rolling::template yields<double>(c + cR, R, normal, xi))
+                {
+                    xi = Rolling::template cut<double>(c + cR, R, normal, xi)*xi;
+                }
+                const double k = Rolling::stiffness(normal);
+                const V M = rollingMoment<double>(c + cR, normal, rollV, xi);
+                const double limit = Rolling::template limit<double>(c + cR, R, normal);
                 account
                 (
                     e.springs[1], limit, k, dot(xi, xi), k*dot(xi, turning), dot(M, turning)
                 );
                 e.springs[1].stiffness = k/R;
                 e.springs[1].gain = k/R*skew*dot(xi, slipV);
-                if constexpr (Twisting::limitedByBending) twistingLimit = limit;
+                if constexpr (Twisting::limitedByBending) base.limit = limit;
             }
             if constexpr (Twisting::on)
             {
@@ -760,12 +865,15 @@ public:
                 double xi = h[hW] - ahead*spinN;
                 const double moment = Twisting::template evaluate<double>
                 (
-                    c + cW, normal, twistingLimit, 0, spinN, xi
+                    c + cW, normal, base, 0, spinN, xi
                 );
-                const double k = Twisting::stiffness(c + cW, normal);
+                const double k = Twisting::template stiffness<double>
+                (
+                    c + cW, normal.radius, normal.pullOff, base
+                );
                 account
                 (
-                    e.springs[2], Twisting::limit(c + cW, normal, twistingLimit), k, xi*xi,
+                    e.springs[2], Twisting::limit(c + cW, normal, base), k, xi*xi,
                     k*xi*spinN, -moment*spinN
                 );
                 e.springs[2].stiffness = k;
@@ -797,11 +905,16 @@ public:
         const double eta =
             Normal::template evaluate<double>(c, b.radius*b.radius/s.R, memory).damping;
         ContactBound result{0, b.radius, b.stiffness, eta};
+        const double pullOff =
+            Normal::pullOff(pairs_[std::size_t(pair)].n, s.pair.limits(), s.R) + b.buildUp;
+        TwistingBase<double> base{0};
         (void)turning;
+        (void)pullOff;
         if constexpr (Tangential::on)
         {
-            const double k = Tangential::stiffness(c + cT, b.radius);
-            const double dash = Tangential::damping(c + cT, eta);
+            const double k = Tangential::template stiffness<double>(c + cT, b.radius);
+            const double dash = Tangential::template damping<double>(c + cT, eta);
+            base = {0, k, dash};
             square = std::min(square, 2.0/7.0*s.m/k);
             result.stiffness = std::max(result.stiffness, 7*k);
             result.damping = std::max(eta, 3.5*dash);
@@ -809,17 +922,17 @@ public:
         }
         if constexpr (Rolling::on)
         {
-            const double k = Rolling::stiffness(c + cR, overlap, b.buildUp);
+            const double k = Rolling::stiffness(c + cR, s.R, overlap, pullOff);
             if (k > 0) square = std::min(square, 1/(k*turning));
             result.rolling = 2*k;
-            result.rollingDamping = Rolling::damping(c + cR);
+            result.rollingDamping = Rolling::template damping<double>(c + cR);
             if (k > 0) result.turnTime = result.rollingDamping/k;
         }
         if constexpr (Twisting::on)
         {
-            const double k = Twisting::stiffness(c + cW, b.radius, b.buildUp);
+            const double k = Twisting::template stiffness<double>(c + cW, b.radius, pullOff, base);
             result.twisting = 2*k;
-            result.twistingDamping = Twisting::damping(c + cW, b.radius, eta);
+            result.twistingDamping = Twisting::damping(c + cW, b.radius, base);
             if (k > 0) result.turnTime = std::min(result.turnTime, result.twistingDamping/k);
         }
         result.period = 2*M_PI*std::sqrt(square);

@@ -63,8 +63,8 @@ public:
     //- Without adhesion and damping, at this speed [m/s]
     virtual Impact impact(int pair, const ContactScale& s, double speed) const = 0;
 
-    //- Where rolling yields at A = 1; zeros without rolling resistance
-    virtual RollingYield rollingYield(const double* constants) const = 0;
+    //- Where rolling yields at A = 1, effective radius R [m]; zeros without rolling resistance
+    virtual RollingYield rollingYield(const double* constants, double R) const = 0;
 
     //- Turn what the history holds in space by R, as the pair turns
     virtual void turnHistory(const Eigen::Matrix3d& R, double* history) const = 0;

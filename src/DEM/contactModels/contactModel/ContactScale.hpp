@@ -12,14 +12,11 @@ struct ContactScale
     const PairConstants& pair;
     double R;               // effective radius [m]; wall: r_i
     double m;               // effective mass [kg]; wall: m_i
-    double skew = -0.5;     // (1/2)(r_i - r_j)/(r_i + r_j) [-]; wall: -1/2
 };
 
 //- The original strength of a contact, as the resistances use it (PairConstants::limits)
 struct ResistanceScale
 {
-    double pullOff;         // F_C from the surface energy of the limits [N]
-    double slidingOffset;   // added to F_N in the sliding limit: 2 F_C for JKR [N]
     double a0;              // equilibrium radius of the unsoftened contact [m]
     double radiusFactor;    // a of the limits over a of the softened contact [-]
     double stiffness;       // K'_R, of the normal law when it is loaded [N/m]

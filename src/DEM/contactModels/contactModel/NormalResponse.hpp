@@ -13,11 +13,20 @@ struct NormalResponse
     Real radius;    // radius that carries the sliding and twisting stiffness [m]
     Real strength;  // (a/a0)^(3/2) [-], the growth of the rolling stiffness with load
     Real remaining; // [m]; negative: the contact has ended
+    Real pullOff;   // F_C of the unsoftened contact, as past loads have left it [N]
 
     // Laws that are not elastic only
-    Real buildUp = Real(0);         // growth of the pull-off force by past loads [N]
-    Real buildUpBefore = Real(0);   // at the last evaluation [N]
+    Real pullOffBefore = Real(0);   // at the last evaluation [N]
     Real radiusKept = Real(1);      // radius at the last evaluation over radius [-]
+};
+
+//- What the part that limits twisting tells it
+template<class Real>
+struct TwistingBase
+{
+    Real limit;                     // F_S,crit of sliding [N] or B_max of bending [N m]
+    Real stiffness = Real(0);       // k_T of sliding [N/m]
+    Real damping = Real(0);         // eta_T of sliding [N s/m]
 };
 
 //- Adhesionless restitution e -> beta = |ln e|/sqrt(ln^2 e + pi^2)

@@ -25,7 +25,8 @@ struct DMT
     static constexpr const char* model = "DMT";
     static constexpr bool elastic = true;
     static constexpr bool atDistance = false;
-    static constexpr int nConstants = Hertz::nConstants + 2;
+    static constexpr double slidingShare = 1;      // of F_C, in the sliding limit
+    static constexpr int nConstants = Hertz::nConstants + 3;
     static constexpr int nHistory = 0;
 
     static std::vector<std::string> keywords() { return Hertz::keywords(); }
@@ -37,7 +38,6 @@ struct DMT
     {
         return 4*M_PI*R*c.gamma;
     }
-    static double slidingOffset(double pullOff) { return pullOff; }
     static double reach(const Parameters&, const PairConstants&, double) { return 0; }
     static double equilibriumRadius(const Parameters&, const PairConstants& c, double R)
     {
@@ -58,6 +58,7 @@ struct DMT
         Hertz::prepare(p, s, c);
         c[3] = pullOff(p, s.pair, s.R);
         c[4] = 1/equilibriumRadius(p, s.pair, s.R);
+        c[5] = s.pair.strengthFactor();
     }
 
     static double touchDistance(const Parameters&, const PairConstants&) { return 0; }
@@ -79,6 +80,7 @@ struct DMT
         const Real A = r.radius*c[4];
         r.elastic = r.elastic - c[3];
         r.strength = A*squareRoot(A);
+        r.pullOff = c[3]*c[5];
         return r;
     }
 

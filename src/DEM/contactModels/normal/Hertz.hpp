@@ -32,6 +32,7 @@ struct Hertz
     static constexpr const char* model = "Hertz";
     static constexpr bool elastic = true;
     static constexpr bool atDistance = false;
+    static constexpr double slidingShare = 0;      // of F_C, in the sliding limit
     static constexpr int nConstants = 3;
     static constexpr int nHistory = 0;
 
@@ -45,7 +46,6 @@ struct Hertz
     static Parameters read(const PartInput& input) { return {input.dampingRatio()}; }
 
     static double pullOff(const Parameters&, const PairConstants&, double) { return 0; }
-    static double slidingOffset(double) { return 0; }
     static double reach(const Parameters&, const PairConstants&, double) { return 0; }
     static double equilibriumRadius(const Parameters&, const PairConstants&, double)
     {
@@ -86,7 +86,7 @@ struct Hertz
     {
         const Real d = maximum(overlap, Real(0));
         const Real a = squareRoot(c[0]*d);
-        return {c[1]*a*d, c[2]*squareRoot(a), a, Real(0), overlap};
+        return {c[1]*a*d, c[2]*squareRoot(a), a, Real(0), overlap, Real(0)};
     }
 
     static NormalEnergy energy(const double* c, double overlap, const double*)

@@ -35,7 +35,8 @@ struct JKR
     static constexpr const char* model = "JKR";
     static constexpr bool elastic = true;
     static constexpr bool atDistance = false;
-    static constexpr int nConstants = 4;
+    static constexpr double slidingShare = 2;      // of F_C, in the sliding limit
+    static constexpr int nConstants = 5;
     static constexpr int nHistory = 0;
 
     static std::vector<std::string> keywords()
@@ -54,7 +55,6 @@ struct JKR
     {
         return 3*M_PI*R*c.gamma;
     }
-    static double slidingOffset(double pullOff) { return 2*pullOff; }
     static double equilibriumRadius(const Parameters&, const PairConstants& c, double R)
     {
         return std::cbrt(9*M_PI*c.gamma*R*R/c.E);
@@ -79,6 +79,7 @@ struct JKR
         c[1] = 4*pullOff(p, s.pair, s.R);
         c[2] = a0;
         c[3] = p.alpha*std::sqrt(s.m*4.0/3.0*s.pair.E*a0);
+        c[4] = s.pair.strengthFactor()/4;
     }
 
     static double touchDistance(const Parameters&, const PairConstants&) { return 0; }
@@ -99,7 +100,7 @@ struct JKR
         const Real q = overlap*c[0] + Real(jkrCurve::neck);
         const Real s = jkrCurve::rootOf(q);
         const Real s3 = s*s*s;
-        return {c[1]*(s3*s3 - s3), c[3]*s, c[2]*s*s, s3, q};
+        return {c[1]*(s3*s3 - s3), c[3]*s, c[2]*s*s, s3, q, c[1]*c[4]};
     }
 
     static NormalEnergy energy(const double* c, double overlap, const double*)

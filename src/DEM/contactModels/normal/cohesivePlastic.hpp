@@ -54,6 +54,7 @@ struct cohesivePlastic
     static constexpr const char* model = "cohesivePlastic";
     static constexpr bool elastic = false;
     static constexpr bool atDistance = false;
+    static constexpr double slidingShare = 1;      // of F_C, in the sliding limit
     static constexpr int nConstants = 7;
     static constexpr int nHistory = 1;
 
@@ -125,7 +126,6 @@ struct cohesivePlastic
     {
         return p.attraction + p.attractionPerRadius*R;
     }
-    static double slidingOffset(double pullOff) { return pullOff; }
     static double touchDistance(const Parameters&, const PairConstants&) { return 0; }
     static double reach(const Parameters&, const PairConstants&, double) { return 0; }
     static double tangentialDampingRatio(const PairConstants&) { return 1; }
@@ -208,11 +208,11 @@ struct cohesivePlastic
         const Real unloading = maximum(c[4], c[3]*a);
         const Real most = c[0]*h[0];
         const Real repulsion = maximum(most - unloading*(h[0] - d), Real(0));
-        const Real buildUp = c[2]*most;
+        const Real pullOff = c[1] + c[2]*most;
         return
         {
-            repulsion - c[1] - buildUp, c[6], a, Real(0), overlap,
-            buildUp, c[2]*c[0]*before,
+            repulsion - pullOff, c[6], a, Real(0), overlap,
+            pullOff, c[1] + c[2]*c[0]*before,
             squareRoot(before/maximum(h[0], Real(1e-290)))
         };
     }

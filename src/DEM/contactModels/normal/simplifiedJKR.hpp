@@ -25,7 +25,8 @@ struct simplifiedJKR
     static constexpr const char* model = "simplifiedJKR";
     static constexpr bool elastic = true;
     static constexpr bool atDistance = false;
-    static constexpr int nConstants = 4;
+    static constexpr double slidingShare = JKR::slidingShare;
+    static constexpr int nConstants = 5;
     static constexpr int nHistory = 0;
 
     static std::vector<std::string> keywords() { return Hertz::keywords(); }
@@ -37,7 +38,6 @@ struct simplifiedJKR
     {
         return JKR::pullOff({}, c, R);
     }
-    static double slidingOffset(double pullOff) { return JKR::slidingOffset(pullOff); }
     static double reach(const Parameters&, const PairConstants&, double) { return 0; }
     static double equilibriumRadius(const Parameters&, const PairConstants& c, double R)
     {
@@ -59,6 +59,7 @@ struct simplifiedJKR
         c[1] = 4*pullOff(p, s.pair, s.R);
         c[2] = s.R;
         c[3] = 2*std::sqrt(5.0/6.0)*p.beta*std::sqrt(2*s.pair.E*s.m);
+        c[4] = s.pair.strengthFactor()/4;
     }
 
     static double touchDistance(const Parameters&, const PairConstants&) { return 0; }
@@ -80,7 +81,7 @@ struct simplifiedJKR
         const Real s = jkrCurve::rootOf(d*c[0] + Real(jkrCurve::neck));
         const Real s3 = s*s*s;
         const Real a = squareRoot(c[2]*d);
-        return {c[1]*(s3*s3 - s3), c[3]*squareRoot(a), a, s3, overlap};
+        return {c[1]*(s3*s3 - s3), c[3]*squareRoot(a), a, s3, overlap, c[1]*c[4]};
     }
 
     static NormalEnergy energy(const double* c, double overlap, const double* h)

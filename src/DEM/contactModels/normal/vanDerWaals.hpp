@@ -37,6 +37,7 @@ struct vanDerWaals
     static constexpr const char* model = "vanDerWaals";
     static constexpr bool elastic = true;
     static constexpr bool atDistance = true;
+    static constexpr double slidingShare = DMT::slidingShare;
     static constexpr int nConstants = DMT::nConstants + 2;
     static constexpr int nHistory = 0;
 
@@ -80,7 +81,6 @@ struct vanDerWaals
     {
         return DMT::pullOff(p.hertz, c, R);
     }
-    static double slidingOffset(double pullOff) { return DMT::slidingOffset(pullOff); }
     static double touchDistance(const Parameters& p, const PairConstants& c)
     {
         return p.range*stretch(c);
@@ -105,8 +105,8 @@ struct vanDerWaals
     static void prepare(const Parameters& p, const ContactScale& s, double* c)
     {
         DMT::prepare(p.hertz, s, c);
-        c[5] = p.cutOff*stretch(s.pair);
-        c[6] = touchDistance(p, s.pair);
+        c[6] = p.cutOff*stretch(s.pair);
+        c[7] = touchDistance(p, s.pair);
     }
 
     //- The attraction falls off with the slope 2 F_C/z0, and a fast particle must not step
@@ -134,19 +134,19 @@ struct vanDerWaals
     )
     {
         NormalResponse<Real> r = DMT::evaluate(c, overlap, h);
-        const Real q = c[5]/maximum(c[5], -overlap);
+        const Real q = c[6]/maximum(c[6], -overlap);
         r.elastic = r.elastic + (Real(1) - q*q)*c[3];
-        r.remaining = overlap + c[6];
+        r.remaining = overlap + c[7];
         return r;
     }
 
     static NormalEnergy energy(const double* c, double overlap, const double* h)
     {
-        const double z0 = c[5], z = std::max(z0, -overlap);
+        const double z0 = c[6], z = std::max(z0, -overlap);
         return
         {
             Hertz::energy(c, overlap, h).stored
-          - c[3]*(z0*z0*(1/z - 1/c[6]) + std::max(z0 + overlap, 0.0))
+          - c[3]*(z0*z0*(1/z - 1/c[7]) + std::max(z0 + overlap, 0.0))
         };
     }
 };

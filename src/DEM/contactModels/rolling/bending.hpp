@@ -34,7 +34,7 @@ struct bending
     static constexpr bool on = true;
     static constexpr bool elasticOnly = false;
     static constexpr bool bends = true;
-    static constexpr int nConstants = 5;
+    static constexpr int nConstants = 2;
     static constexpr int nHistory = 3;
 
     static std::vector<std::string> keywords()
@@ -65,72 +65,68 @@ struct bending
         double* c
     )
     {
-        c[0] = r.pullOff;
-        c[1] = r.stiffness > 0 ? p.factor*std::sqrt(s.R/r.stiffness) : 0;
-        c[2] = p.rollingDamping;
-        c[3] = s.skew;
-        c[4] = s.R;
+        c[0] = r.stiffness > 0 ? p.factor*std::sqrt(s.R/r.stiffness) : 0;
+        c[1] = p.rollingDamping;
     }
 
     //- K_theta/R [N]
-    static double stiffness(const double* c, double, double buildUp)
+    static double stiffness(const double*, double, double, double pullOff)
     {
-        return 0.5*(c[0] + buildUp);
+        return 0.5*pullOff;
     }
 
     //- eta_R [N s]
-    static double damping(const double* c) { return c[2]; }
+    template<class Real>
+    [[gnu::always_inline]] static Real damping(const Real* c) { return c[1]; }
 
     //- B_max [N m] of a contact that has not been loaded before
-    static double yield(const double* c) { return 0.5*c[0]*c[1]*std::sqrt(c[0]); }
+    static double yield(const double* c, double, double pullOff)
+    {
+        return 0.5*pullOff*c[0]*std::sqrt(pullOff);
+    }
 
     //- Share of xi that is kept where K_theta has grown: the moment stays
     template<class Real>
-    [[gnu::always_inline]] static Real kept(const Real* c, const NormalResponse<Real>& normal)
+    [[gnu::always_inline]] static Real kept(const NormalResponse<Real>& normal)
     {
-        return
-            (c[0] + normal.buildUpBefore)/maximum(c[0] + normal.buildUp, Real(1e-290));
+        return normal.pullOffBefore/maximum(normal.pullOff, Real(1e-290));
     }
 
     //- B_max [N m]
     template<class Real>
     [[gnu::always_inline]] static Real limit
     (
-        const Real* c, const NormalResponse<Real>& normal
+        const Real* c, const Real&, const NormalResponse<Real>& normal
     )
     {
-        const Real F = c[0] + normal.buildUp;
-        return Real(0.5)*F*c[1]*squareRoot(F);
+        return stiffness(normal)*c[0]*squareRoot(normal.pullOff);
     }
 
     //- M per xi [N]; the spring's energy is F_c xi^2/(4 R)
-    static double stiffness(const double* c, const NormalResponse<double>& normal)
+    template<class Real>
+    [[gnu::always_inline]] static Real stiffness(const NormalResponse<Real>& normal)
     {
-        return 0.5*(c[0] + normal.buildUp);
+        return Real(0.5)*normal.pullOff;
     }
 
-    //- The vector M with torque on i = -n x M [N m]
+    //- Whether xi is beyond what B_max holds
     template<class Real>
-    [[gnu::always_inline]] static V3<Real> evaluate
+    [[gnu::always_inline]] static auto yields
     (
-        const Real* c,
-        const NormalResponse<Real>& normal,
-        const V3<Real>& roll,           // moved on this step [m]
-        const V3<Real>& rollVelocity,
-        V3<Real>& xi
+        const Real* c, const Real&, const NormalResponse<Real>& normal, const V3<Real>& xi
     )
     {
-        xi = xi + roll;
-        const Real F = c[0] + normal.buildUp;
-        const Real square = dot(xi, xi);
-        const Real largest = c[1]*c[1]*F;
-        const auto yields = square > largest;
-        if (any(yields))
-        {
-            const Real cut = squareRoot(largest/maximum(square, Real(1e-290)));
-            xi = select(yields, cut, Real(1))*xi;
-        }
-        return (Real(0.5)*F)*xi + c[2]*rollVelocity;
+        return dot(xi, xi) > c[0]*c[0]*normal.pullOff;
+    }
+
+    //- Share of xi that is left there
+    template<class Real>
+    [[gnu::always_inline]] static Real cut
+    (
+        const Real* c, const Real&, const NormalResponse<Real>& normal, const V3<Real>& xi
+    )
+    {
+        return squareRoot(c[0]*c[0]*normal.pullOff/maximum(dot(xi, xi), Real(1e-290)));
     }
 };
 

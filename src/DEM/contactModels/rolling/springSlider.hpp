@@ -36,7 +36,7 @@ struct springSlider
     static constexpr bool on = true;
     static constexpr bool elasticOnly = true;   // it is a property of the elastic neck
     static constexpr bool bends = false;
-    static constexpr int nConstants = 6;
+    static constexpr int nConstants = 3;
     static constexpr int nHistory = 3;
 
     static std::vector<std::string> keywords()
@@ -71,16 +71,6 @@ struct springSlider
         };
     }
 
-    static double criticalDisplacement
-    (
-        const Parameters& p, double R, const ResistanceScale& r
-    )
-    {
-        return p.criticalAngle > 0
-          ? p.criticalAngle*R
-          : p.adhesionHysteresis*r.a0/12;
-    }
-
     static void prepare
     (
         const Parameters& p,
@@ -89,60 +79,62 @@ struct springSlider
         double* c
     )
     {
-        c[0] = 4*r.pullOff;
-        c[1] = criticalDisplacement(p, s.R, r);
-        c[2] = p.rollingDamping;
-        c[3] = r.a0;
-        c[4] = s.skew;
-        c[5] = s.R;
+        c[0] = p.criticalAngle > 0      // xi_crit/R
+          ? p.criticalAngle
+          : p.adhesionHysteresis*r.a0/(12*s.R);
+        c[1] = p.rollingDamping;
+        c[2] = r.a0;
     }
 
     //- k_r = 4 F_C (a/a0)^(3/2) [N], a^2 = a0^2 + R delta
-    static double stiffness(const double* c, double overlap, double)
+    static double stiffness(const double* c, double R, double overlap, double pullOff)
     {
         const double growth =
-            c[3] > 0 ? 1 + std::max(overlap, 0.0)*c[5]/(c[3]*c[3]) : 1;
-        return c[0]*std::sqrt(growth*std::sqrt(growth));
+            c[2] > 0 ? 1 + std::max(overlap, 0.0)*R/(c[2]*c[2]) : 1;
+        return 4*pullOff*std::sqrt(growth*std::sqrt(growth));
     }
 
     //- eta_R [N s]
-    static double damping(const double* c) { return c[2]; }
+    template<class Real>
+    [[gnu::always_inline]] static Real damping(const Real* c) { return c[1]; }
 
     //- 4 F_C xi_crit [N m]
-    static double yield(const double* c) { return c[0]*c[1]; }
+    static double yield(const double* c, double R, double pullOff)
+    {
+        return 4*pullOff*c[0]*R;
+    }
 
     //- M per xi [N]; the spring's energy is k_r xi^2/(2 R)
-    static double stiffness(const double* c, const NormalResponse<double>& normal)
+    template<class Real>
+    [[gnu::always_inline]] static Real stiffness(const NormalResponse<Real>& normal)
     {
-        return c[0]*normal.strength;
+        return Real(4)*normal.pullOff*normal.strength;
     }
     //- Moment at which it yields [N m]
     template<class Real>
-    static Real limit(const Real* c, const NormalResponse<Real>& normal)
+    static Real limit(const Real* c, const Real& R, const NormalResponse<Real>& normal)
     {
-        return c[0]*normal.strength*c[1];
+        return stiffness(normal)*c[0]*R;
     }
 
-    //- The vector M with torque on i = -n x M [N m]
+    //- Whether xi is beyond the critical displacement
     template<class Real>
-    [[gnu::always_inline]] static V3<Real> evaluate
+    [[gnu::always_inline]] static auto yields
     (
-        const Real* c,
-        const NormalResponse<Real>& normal,
-        const V3<Real>& roll,           // moved on this step [m]
-        const V3<Real>& rollVelocity,
-        V3<Real>& xi
+        const Real* c, const Real& R, const NormalResponse<Real>&, const V3<Real>& xi
     )
     {
-        xi = xi + roll;
-        const Real square = dot(xi, xi);
-        const auto rolls = square > c[1]*c[1];
-        if (any(rolls))
-        {
-            const Real size = squareRoot(maximum(square, Real(1e-290)));
-            xi = select(rolls, c[1]/size, Real(1))*xi;
-        }
-        return (c[0]*normal.strength)*xi + c[2]*rollVelocity;
+        return dot(xi, xi) > c[0]*R*(c[0]*R);
+    }
+
+    //- Share of xi that is left there
+    template<class Real>
+    [[gnu::always_inline]] static Real cut
+    (
+        const Real* c, const Real& R, const NormalResponse<Real>&, const V3<Real>& xi
+    )
+    {
+        return c[0]*R/squareRoot(maximum(dot(xi, xi), Real(1e-290)));
     }
 };
 

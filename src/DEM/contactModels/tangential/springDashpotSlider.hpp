@@ -7,8 +7,9 @@
 // xi [m] is the sliding displacement, v_S [m/s] the slip velocity of the two surfaces,
 // G [Pa] the effective shear modulus, a [m] the radius that the normal law gives, eta_T the
 // dashpot that the normal law gives, mu [-] the friction coefficient, F_N the elastic normal
-// force, F_C the pull-off force of the unsoftened contact. Where the limit is reached the
-// stored displacement is cut back too, so that F_T keeps its direction and unloads at once.
+// force, F_C the pull-off force of the unsoftened contact (its share, 2 here, is the normal
+// law's slidingShare). Where the limit is reached the stored displacement is cut back too, so
+// that F_T keeps its direction and unloads at once.
 // Source: Haervig et al. 2017, eq. 16 (dashpot); Chen, Liu & Li 2019.
 // Keyword: tangential { model springDashpotSlider; friction 0.3; }
 // Proof: tests/unit/DEM/contactLaws.cpp, tests/verification/DEM/slipToRoll.cpp
@@ -28,7 +29,7 @@ struct springDashpotSlider
 {
     static constexpr const char* model = "springDashpotSlider";
     static constexpr bool on = true;
-    static constexpr int nConstants = 4;
+    static constexpr int nConstants = 3;
     static constexpr int nHistory = 3;
 
     static std::vector<std::string> keywords() { return {"friction"}; }
@@ -44,7 +45,6 @@ struct springDashpotSlider
     (
         const Parameters& p,
         const ContactScale& s,
-        const ResistanceScale& r,
         double dampingRatio,    // eta_T/eta_N
         double* c
     )
@@ -52,14 +52,21 @@ struct springDashpotSlider
         c[0] = 8*s.pair.G;
         c[1] = dampingRatio;
         c[2] = p.friction;
-        c[3] = r.slidingOffset;
     }
 
     //- k_T [N/m] at contact radius a; the spring's energy is k_T xi^2/2
-    static double stiffness(const double* c, double a) { return c[0]*a; }
+    template<class Real>
+    [[gnu::always_inline]] static Real stiffness(const Real* c, const Real& a)
+    {
+        return c[0]*a;
+    }
 
     //- eta_T [N s/m] with the dashpot of the normal law
-    static double damping(const double* c, double etaN) { return c[1]*etaN; }
+    template<class Real>
+    [[gnu::always_inline]] static Real damping(const Real* c, const Real& etaN)
+    {
+        return c[1]*etaN;
+    }
 
     //- Share of xi that is kept where k_T has grown: the force stays
     template<class Real>
@@ -68,41 +75,53 @@ struct springDashpotSlider
         return normal.radiusKept;
     }
 
-    //- mu |F_N + 2 F_C| [N]
+    //- mu |F_N + 2 F_C| [N]; pressed = F_N + 2 F_C
     template<class Real>
-    [[gnu::always_inline]] static Real limit(const Real* c, const Real& elastic)
+    [[gnu::always_inline]] static Real limit(const Real* c, const Real& pressed)
     {
-        return c[2]*magnitude(elastic + c[3]);
+        return c[2]*magnitude(pressed);
     }
 
-    //- Force on i [N]; xi is moved on by slip [m] and cut back at the limit
+    //- Force on i [N] below the limit
+    template<class Real>
+    [[gnu::always_inline]] static V3<Real> trial
+    (
+        const Real* c,
+        const NormalResponse<Real>& normal,
+        const V3<Real>& slipVelocity,
+        const V3<Real>& xi
+    )
+    {
+        return
+            (-stiffness(c, normal.radius))*xi - damping(c, normal.damping)*slipVelocity;
+    }
+
+    //- Whether such a force is beyond the limit
+    template<class Real>
+    [[gnu::always_inline]] static auto slides(const V3<Real>& trial, const Real& limit)
+    {
+        return dot(trial, trial) > limit*limit;
+    }
+
+    //- Force on i [N]; xi is cut back at the limit
     template<class Real>
     [[gnu::always_inline]] static V3<Real> evaluate
     (
         const Real* c,
-        const Real& elastic,
-        const Real& damping,
-        const Real& radius,
-        const V3<Real>& slip,
+        const Real& limit,              // [N]
+        const NormalResponse<Real>& normal,
         const V3<Real>& slipVelocity,
         V3<Real>& xi
     )
     {
-        const Real k = c[0]*radius;
-        const Real eta = c[1]*damping;
-        xi = xi + slip;
-        const V3<Real> dash = eta*slipVelocity;
-        const V3<Real> trial = k*xi + dash;
-        const Real cap = limit(c, elastic);
-        const Real square = dot(trial, trial);
-        const auto slides = square > cap*cap;
-        if (!any(slides)) return Real(-1)*trial;
-
-        const Real size = squareRoot(maximum(square, Real(1e-290)));
-        const V3<Real> held = select(slides, cap/size, Real(1))*trial;
-        const Real stored = k*squareRoot(maximum(dot(xi, xi), Real(1e-290)));
-        xi = select(stored > cap, cap/maximum(stored, Real(1e-290)), Real(1))*xi;
-        return Real(-1)*held;
+        const V3<Real> F = trial(c, normal, slipVelocity, xi);
+        const auto beyond = slides(F, limit);
+        const Real size = squareRoot(maximum(dot(F, F), Real(1e-290)));
+        const Real stored =
+            stiffness(c, normal.radius)*squareRoot(maximum(dot(xi, xi), Real(1e-290)));
+        const auto longer = select(beyond, stored, Real(0)) > limit;
+        xi = select(longer, limit/maximum(stored, Real(1e-290)), Real(1))*xi;
+        return select(beyond, limit/size, Real(1))*F;
     }
 };
 

@@ -29,7 +29,7 @@ struct cappedSpring
     static constexpr bool on = true;
     static constexpr bool limitedBySliding = false;
     static constexpr bool limitedByBending = true;
-    static constexpr int nConstants = 4;
+    static constexpr int nConstants = 3;
     static constexpr int nHistory = 1;
 
     static std::vector<std::string> keywords()
@@ -56,44 +56,41 @@ struct cappedSpring
     (
         const Parameters& p,
         const ContactScale& s,
-        const ResistanceScale& r,
-        double,
+        const ResistanceScale&,
         double* c
     )
     {
         c[0] = 0.5*s.R;
-        c[1] = r.pullOff;
-        c[2] = p.factor;
-        c[3] = p.damping;
-    }
-
-    //- K_phi [N m/rad], eta_Q [N m s]
-    static double stiffness(const double* c, double, double buildUp)
-    {
-        return c[0]*(c[1] + buildUp);
-    }
-    static double damping(const double* c, double, double) { return c[3]; }
-
-    //- Share of xi that is kept where K_phi has grown: the moment stays
-    template<class Real>
-    [[gnu::always_inline]] static Real kept(const Real* c, const NormalResponse<Real>& normal)
-    {
-        return
-            (c[1] + normal.buildUpBefore)/maximum(c[1] + normal.buildUp, Real(1e-290));
+        c[1] = p.factor;
+        c[2] = p.damping;
     }
 
     //- K_phi [N m/rad]; the spring's energy is K_phi xi^2/2
-    static double stiffness(const double* c, const NormalResponse<double>& normal)
+    template<class Real>
+    [[gnu::always_inline]] static Real stiffness
+    (
+        const Real* c, const Real&, const Real& pullOff, const TwistingBase<Real>&
+    )
     {
-        return c[0]*(c[1] + normal.buildUp);
+        return c[0]*pullOff;
     }
+    //- eta_Q [N m s]
+    static double damping(const double* c, double, const TwistingBase<double>&) { return c[2]; }
+
+    //- Share of xi that is kept where K_phi has grown: the moment stays
+    template<class Real>
+    [[gnu::always_inline]] static Real kept(const NormalResponse<Real>& normal)
+    {
+        return normal.pullOffBefore/maximum(normal.pullOff, Real(1e-290));
+    }
+
     //- Moment at which it yields [N m]
     static double limit
     (
-        const double* c, const NormalResponse<double>&, double bendingLimit
+        const double* c, const NormalResponse<double>&, const TwistingBase<double>& bending
     )
     {
-        return c[2]*bendingLimit;
+        return c[1]*bending.limit;
     }
 
     //- Moment on i along n [N m]
@@ -102,18 +99,18 @@ struct cappedSpring
     (
         const Real* c,
         const NormalResponse<Real>& normal,
-        const Real& bendingLimit,       // B_max [N m]
+        const TwistingBase<Real>& bending,
         const Real& twist,              // moved on this step [rad]
         const Real& twistRate,
         Real& xi
     )
     {
-        const Real k = c[0]*(c[1] + normal.buildUp);
+        const Real k = stiffness(c, normal.radius, normal.pullOff, bending);
         xi = xi + twist;
-        const Real cap = c[2]*bendingLimit;
+        const Real cap = c[1]*bending.limit;
         const Real most = cap/maximum(k, Real(1e-290));
         xi = maximum(-most, minimum(most, xi));
-        return Real(-1)*(k*xi + c[3]*twistRate);
+        return Real(-1)*(k*xi + c[2]*twistRate);
     }
 };
 

@@ -28,7 +28,7 @@ struct springDashpotSlider
     static constexpr bool on = true;
     static constexpr bool limitedBySliding = true;
     static constexpr bool limitedByBending = false;
-    static constexpr int nConstants = 3;
+    static constexpr int nConstants = 1;
     static constexpr int nHistory = 1;
 
     static std::vector<std::string> keywords() { return {}; }
@@ -39,43 +39,44 @@ struct springDashpotSlider
     static void prepare
     (
         const Parameters&,
-        const ContactScale& s,
+        const ContactScale&,
         const ResistanceScale& r,
-        double dampingRatio,
         double* c
     )
     {
-        c[0] = 4*s.pair.G;              // k_Q = (8 G a) a^2/2
-        c[1] = 0.5*dampingRatio;
-        c[2] = 3*M_PI/16*r.radiusFactor;
+        c[0] = 3*M_PI/16*r.radiusFactor;
     }
 
-    //- k_Q [N m/rad] and eta_Q [N m s] at contact radius a
-    static double stiffness(const double* c, double a, double) { return c[0]*a*a*a; }
-    static double damping(const double* c, double a, double etaN)
+    //- k_Q [N m/rad] at contact radius a; the spring's energy is k_Q xi^2/2
+    template<class Real>
+    [[gnu::always_inline]] static Real stiffness
+    (
+        const Real*, const Real& a, const Real&, const TwistingBase<Real>& sliding
+    )
     {
-        return c[1]*etaN*a*a;
+        return Real(0.5)*a*a*sliding.stiffness;
+    }
+    //- eta_Q [N m s]
+    static double damping(const double*, double a, const TwistingBase<double>& sliding)
+    {
+        return 0.5*a*a*sliding.damping;
     }
 
     //- Share of xi that is kept where k_Q has grown: the moment stays
     template<class Real>
-    [[gnu::always_inline]] static Real kept(const Real*, const NormalResponse<Real>& normal)
+    [[gnu::always_inline]] static Real kept(const NormalResponse<Real>& normal)
     {
         return normal.radiusKept*normal.radiusKept*normal.radiusKept;
     }
 
-    //- k_Q [N m/rad]; the spring's energy is k_Q xi^2/2
-    static double stiffness(const double* c, const NormalResponse<double>& normal)
-    {
-        return c[0]*normal.radius*normal.radius*normal.radius;
-    }
     //- Moment at which it yields [N m]
     static double limit
     (
-        const double* c, const NormalResponse<double>& normal, double slidingLimit
+        const double* c, const NormalResponse<double>& normal,
+        const TwistingBase<double>& sliding
     )
     {
-        return c[2]*normal.radius*slidingLimit;
+        return c[0]*normal.radius*sliding.limit;
     }
 
     //- Moment on i along n [N m]
@@ -84,19 +85,18 @@ struct springDashpotSlider
     (
         const Real* c,
         const NormalResponse<Real>& normal,
-        const Real& slidingLimit,       // F_S,crit [N]
+        const TwistingBase<Real>& sliding,
         const Real& twist,              // moved on this step [rad]
         const Real& twistRate,
         Real& xi
     )
     {
-        const Real radius = normal.radius;
-        const Real a2 = radius*radius;
-        const Real k = c[0]*radius*a2;
-        const Real dash = c[1]*normal.damping*a2*twistRate;
+        const Real half = Real(0.5)*normal.radius*normal.radius;
+        const Real k = half*sliding.stiffness;
+        const Real dash = half*sliding.damping*twistRate;
         xi = xi + twist;
         const Real trial = k*xi + dash;
-        const Real cap = c[2]*radius*slidingLimit;
+        const Real cap = c[0]*normal.radius*sliding.limit;
         const auto slides = magnitude(trial) > cap;
         if (!any(slides)) return -trial;
 
