@@ -140,15 +140,15 @@ public:
     //  than `spread` from a point that flies at v
     struct Path
     {
-        Vec3 x, v;
-        double size;        // radius and reach of its contacts [m]
-        double spread;      // [m]
-        Vec3 own;           // velocity it has on its own [m/s]
-        double gain;        // what can come to that on its own [m/s]
-        bool pushed;        // contacts can push it off the path it has on its own
-        bool held;          // at rest, or a wall can push it
-        bool joint = false;     // v and spread are those of all that it can meet
-        double least = 0;   // speed beyond v that it has had in a try [m/s]
+        Vec3 x = Vec3::Zero(), v = Vec3::Zero();
+        double size = 0;            // radius and reach of its contacts [m]
+        double spread = 0;          // [m]
+        Vec3 own = Vec3::Zero();    // velocity it has on its own [m/s]
+        double gain = 0;            // what can come to that on its own [m/s]
+        bool pushed = false;        // contacts can push it off the path it has on its own
+        bool held = false;          // at rest, or a wall can push it
+        bool joint = false;         // v and spread are those of all that it can meet
+        double least = 0;           // speed beyond v that it has had in a try [m/s]
     };
 
     //- Of all that a particle can meet
@@ -169,7 +169,7 @@ public:
         const Particle& p = particles[i];
         const double size = p.radius + reach[i];
         const Vec3 still = Vec3::Zero();
-        if (!awake(i)) return {p.x, still, size, 0, still, 0, false, true};
+        if (!awake(i)) return {p.x, still, size, 0, still, 0, false, true, false, 0};
         const GasLoad& g = gas[i];
         const Vec3 force = g.Sp*(g.Uc - p.v) + g.Su;
         if (flies(i))
@@ -183,12 +183,12 @@ public:
             const double round = p.omega.norm()*arm.norm();
             const double bend = std::min(2*arm.norm(), round*dt) + 0.5*pull*dt*dt;
             const double spread = bend + leastPath*p.radius;
-            return {p.x, V, size, spread, V, round + pull*dt, false, false};
+            return {p.x, V, size, spread, V, round + pull*dt, false, false, false, 0};
         }
         const FlightFactors f(g.Sp/p.mass, dt);
         const double pull = force.norm()/p.mass;
         const bool touches = rest[i].inContact || !contacts[i].empty();
-        return {p.x, p.v, size, 0.5*pull*dt*dt, p.v, pull*f.p1, touches, false};
+        return {p.x, p.v, size, 0.5*pull*dt*dt, p.v, pull*f.p1, touches, false, false, 0};
     }
 
     //- How far particle i can be pushed at speeds about `speed` [m]

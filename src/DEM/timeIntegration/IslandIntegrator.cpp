@@ -1498,7 +1498,6 @@ double IslandIntegrator::contactStep(double time, StepReport& report)
     strongest_ = std::sqrt(strongest_);
     for (std::size_t l = 0; l < lists_.size(); ++l)
     {
-        const ContactLaw& law = *materials_.laws()[l];
         for (const bool wall : {false, true})
         {
             const ContactList& list = wall ? lists_[l].walls : lists_[l].pairs;
