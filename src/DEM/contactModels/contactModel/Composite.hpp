@@ -109,7 +109,8 @@ class Composite : public ContactLaw
         double* h[nH > 0 ? nH : 1];
 
         Columns(const Columns&) = delete;
-        explicit Columns(ContactList& list)
+        //- width: most contacts at a time
+        Columns(ContactList& list, int width)
         :
             i(list.i.data()),
             j(list.j.data()),
@@ -121,7 +122,7 @@ class Composite : public ContactLaw
             {
                 const std::vector<double>& column = list.constants[std::size_t(a)];
                 const bool same = list.same[std::size_t(a)];
-                std::fill(c[a].same, c[a].same + packWidth, column[0]);
+                std::fill(c[a].same, c[a].same + width, column[0]);
                 c[a].column = same ? c[a].same : column.data();
                 c[a].step = same ? 0 : ~std::size_t(0);
             }
@@ -590,8 +591,8 @@ class Composite : public ContactLaw
         const double* period
     )
     {
-        constexpr int groups = 16;
-        const Columns list(contacts);
+        constexpr int groups = 64/packWidth;    // their stages stay in the first cache
+        const Columns list(contacts, begin + packWidth <= end ? packWidth : 1);
         const Shared<Pack> shared(step, period);
         bool ended = false;
         std::size_t k = begin;
