@@ -49,23 +49,35 @@ thread_local double* excess = nullptr;
 
 struct recordingSlider : dem::rolling::springSlider
 {
+    //- Asked of every contact in turn, and once more before a cut
     template<class Real>
-    [[gnu::always_inline]] static dem::V3<Real> evaluate
+    [[gnu::always_inline]] static auto yields
     (
-        const Real* c, const dem::NormalResponse<Real>& normal, const dem::V3<Real>& roll,
-        const dem::V3<Real>& rollVelocity, dem::V3<Real>& xi
+        const Real* c, const Real& R, const dem::NormalResponse<Real>& normal,
+        const dem::V3<Real>& xi
     )
     {
-        const dem::V3<Real> trial = xi + roll;
-        const Real square = dot(trial, trial);
+        const auto result = springSlider::yields(c, R, normal, xi);
         Real path(0);
-        if (dem::any(square > c[1]*c[1]))
+        if (dem::any(result))
         {
-            path = dem::maximum(dem::squareRoot(square) - c[1], Real(0))/c[1];
+            const Real limit = c[0]*R;
+            path = dem::maximum(dem::squareRoot(dot(xi, xi)) - limit, Real(0))/limit;
         }
         dem::storeReal<Real>(excess, path);
         excess += dem::laneCount<Real>;
-        return springSlider::evaluate<Real>(c, normal, roll, rollVelocity, xi);
+        return result;
+    }
+
+    template<class Real>
+    [[gnu::always_inline]] static Real cut
+    (
+        const Real* c, const Real& R, const dem::NormalResponse<Real>& normal,
+        const dem::V3<Real>& xi
+    )
+    {
+        excess -= dem::laneCount<Real>;
+        return springSlider::cut(c, R, normal, xi);
     }
 };
 
@@ -85,7 +97,7 @@ class Recording : public Parts
     )
     {
         static thread_local std::vector<double> beyond;
-        beyond.resize(std::max(beyond.size(), end - begin));
+        beyond.resize(std::max(beyond.size(), end - begin + dem::packWidth));
         excess = beyond.data();
         const bool ended = evaluate();
         if (excess != beyond.data() + (end - begin))
