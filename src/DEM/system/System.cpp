@@ -34,9 +34,10 @@ double since(Clock::time_point& start)
     return seconds;
 }
 
-// Whoever can be pushed is searched for along the mean motion of all that it can meet, as far
-// from that as the fastest of them gets and some more, and with small motions of what holds
-// together; where that turns out not to be enough the particle step is repeated
+// Whoever can be pushed gets away from its own path, from then on when it can first be hit, or
+// from the mean motion of all that it can meet, as far as the fastest of them and some more;
+// small motions of what holds together are allowed for. Where that turns out not to be enough
+// the particle step is repeated.
 constexpr double speedMargin = 1.2;
 constexpr double leastPath = 1e-3;      // [radii]
 
@@ -111,8 +112,8 @@ public:
         RestState rest;
         std::vector<ContactRecord> contacts;
         bool pushed;        // off the path that it has on its own
-        Vec3 along;         // it stays near a point that flies with this [m/s]
-        double half;        // how far from there it may get [m]; when moved: or has got, if more
+        Corridor corridor;
+        double outran;      // when moved: how fast it has left that [m/s]; 0: it has not
         int owner;
         std::size_t index;  // on its owner
         Vec3 impulse = Vec3::Zero();
@@ -136,19 +137,22 @@ public:
         }
     };
 
-    //- What the search needs to know of a particle in one particle step: it comes no farther
-    //  than `spread` from a point that flies at v
+    //- What the search needs to know of a particle in one particle step
     struct Path
     {
-        Vec3 x = Vec3::Zero(), v = Vec3::Zero();
+        Vec3 x = Vec3::Zero();
         double size = 0;            // radius and reach of its contacts [m]
-        double spread = 0;          // [m]
+        Corridor corridor;          // of its own, or where others can push it
         Vec3 own = Vec3::Zero();    // velocity it has on its own [m/s]
         double gain = 0;            // what can come to that on its own [m/s]
+        double bend = 0;            // how far from the straight line it gets on its own [m]
+        std::int64_t rigid = -1;    // rigid aggregate; -2 = at rest
         bool pushed = false;        // contacts can push it off the path it has on its own
         bool held = false;          // at rest, or a wall can push it
-        bool joint = false;         // v and spread are those of all that it can meet
-        double least = 0;           // speed beyond v that it has had in a try [m/s]
+        bool joint = false;         // others can: its corridor allows for that
+        double hit = 1e300;         // when they first can [s]
+        double hitNext = 1e300;     // as found since
+        double least = 0;           // speed that it has had in a try [m/s]
     };
 
     //- Of all that a particle can meet
@@ -167,9 +171,16 @@ public:
     Path path(std::size_t i, double dt) const
     {
         const Particle& p = particles[i];
-        const double size = p.radius + reach[i];
-        const Vec3 still = Vec3::Zero();
-        if (!awake(i)) return {p.x, still, size, 0, still, 0, false, true, false, 0};
+        Path path;
+        path.x = p.x;
+        path.size = p.radius + reach[i];
+        if (!awake(i))
+        {
+            path.corridor = {Vec3::Zero(), 0, 0, 0};
+            path.rigid = -2;
+            path.held = true;
+            return path;
+        }
         const GasLoad& g = gas[i];
         const Vec3 force = g.Sp*(g.Uc - p.v) + g.Su;
         if (flies(i))
@@ -178,23 +189,38 @@ public:
             const Vec3 held(rest[i].force[0], rest[i].force[1], rest[i].force[2]);
             const Vec3 arm(rest[i].arm[0], rest[i].arm[1], rest[i].arm[2]);
             const Vec3 turning = p.omega.cross(arm);
-            const Vec3 V = p.v - turning;
             const double pull = ((force + held)/p.mass - p.omega.cross(turning)).norm();
             const double round = p.omega.norm()*arm.norm();
-            const double bend = std::min(2*arm.norm(), round*dt) + 0.5*pull*dt*dt;
-            const double spread = bend + leastPath*p.radius;
-            return {p.x, V, size, spread, V, round + pull*dt, false, false, false, 0};
+            path.rigid = rest[i].aggregate;
+            path.own = p.v - turning;
+            path.bend = std::min(2*arm.norm(), round*dt) + 0.5*pull*dt*dt + leastPath*p.radius;
+            path.gain = round + pull*dt;
         }
-        const FlightFactors f(g.Sp/p.mass, dt);
-        const double pull = force.norm()/p.mass;
-        const bool touches = rest[i].inContact || !contacts[i].empty();
-        return {p.x, p.v, size, 0.5*pull*dt*dt, p.v, pull*f.p1, touches, false, false, 0};
+        else
+        {
+            const FlightFactors f(g.Sp/p.mass, dt);
+            const double pull = force.norm()/p.mass;
+            path.own = p.v;
+            path.bend = 0.5*pull*dt*dt;
+            path.gain = pull*f.p1;
+            path.pushed = rest[i].inContact || !contacts[i].empty();
+            if (path.pushed) path.hit = path.hitNext = 0;
+        }
+        path.corridor = {path.own, path.bend, 0, 0};
+        return path;
     }
 
-    //- How far particle i can be pushed at speeds about `speed` [m]
-    double halfWidth(std::size_t i, double speed, double dt) const
+    //- Where others can push particle i, whose component is labelled `of`: off its own path,
+    //  from the time on when they first can, or anywhere about the mean motion
+    Corridor pushedCorridor(std::size_t i, const Label& of, double dt) const
     {
-        return speedMargin*speed*dt + leastPath*particles[i].radius;
+        const Path& p = paths[i];
+        const double least = leastPath*particles[i].radius;
+        const double fastest = speedMargin*of.speed;
+        const double beyond = (p.own - of.velocity).norm() + p.gain;
+        const Corridor off{p.own, p.bend + least, p.hit, fastest + beyond};
+        const Corridor about{of.velocity, least, 0, fastest};
+        return off.width(dt) < about.width(dt) ? off : about;
     }
 
     //- Where a particle can get to
@@ -204,9 +230,9 @@ public:
         double around = p.size;
         if (p.joint || flies(i) || !awake(i))
         {
-            const Vec3 end = p.x + dt*p.v;
+            const Vec3 end = p.x + dt*p.corridor.v;
             b = {p.x.cwiseMin(end), p.x.cwiseMax(end)};
-            around += p.spread;
+            around += p.corridor.width(dt);
         }
         else flightBox(particles[i], gas[i], dt, b.low, b.high);
         return {b.low.array() - around, b.high.array() + around};
@@ -219,15 +245,54 @@ public:
         return !surfaces.empty();
     }
 
-    //- Whether two whose boxes overlap can come as close as a contact
-    bool meet(const Path& a, const Path& b, double dt) const
+    //- When two can first come as close as a contact, beyond dt if they cannot [s]
+    double meetingTime(const Path& a, const Path& b, double dt) const
     {
-        const Vec3 d = periodic.nearest(b.x - a.x), u = b.v - a.v;
+        const Corridor &ca = a.corridor, &cb = b.corridor;
+        Vec3 d = periodic.nearest(b.x - a.x);
+        const Vec3 u = cb.v - ca.v;
         const double square = u.squaredNorm();
-        const double t =
+        const double nearest =
             square > 0 ? std::min(std::max(-d.dot(u)/square, 0.0), dt) : 0;
-        const double near = a.size + b.size + a.spread + b.spread;
-        return (d + t*u).squaredNorm() <= near*near;
+        const double sizes = a.size + b.size;
+        const double most = sizes + ca.width(dt) + cb.width(dt);
+        if ((d + nearest*u).squaredNorm() > most*most) return 1e300;
+
+        // |d + u t| = R + k t between the times when they can be pushed
+        const double times[4] =
+        {
+            0, std::min(std::min(ca.from, cb.from), dt), std::min(std::max(ca.from, cb.from), dt),
+            dt
+        };
+        for (int piece = 0; piece < 3; ++piece)
+        {
+            const double start = times[piece], length = times[piece + 1] - start;
+            const Vec3 apart = d + start*u;
+            const double R = sizes + ca.width(start) + cb.width(start);
+            const double C = apart.squaredNorm() - R*R;
+            if (C <= 0) return std::max(start, together(a, b));
+            const double k = (ca.from <= start ? ca.away : 0) + (cb.from <= start ? cb.away : 0);
+            const double A = square - k*k, B = apart.dot(u) - R*k;
+            const double root = B*B - A*C;
+            const double q = root < 0 ? -1 : std::sqrt(root) - B;
+            if (q > 0 && C <= q*length) return std::max(start + C/q, together(a, b));
+        }
+        return 1e300;
+    }
+
+    //- Two of one rigid body do not push each other before one of them is pushed
+    static double together(const Path& a, const Path& b)
+    {
+        return a.rigid == b.rigid && a.rigid != -1 ? std::min(a.hit, b.hit) : 0;
+    }
+
+    //- Whether two whose boxes overlap can meet, or belong together; takes down when
+    bool meet(Path& a, Path& b, double dt) const
+    {
+        const double time = meetingTime(a, b, dt);
+        a.hitNext = std::min(a.hitNext, time);
+        b.hitNext = std::min(b.hitNext, time);
+        return time <= dt || (a.rigid >= 0 && a.rigid == b.rigid);
     }
 
     //- A member of a rigid aggregate
@@ -251,7 +316,7 @@ public:
     {
         return
         {
-            particles[i], gas[i], rest[i], contacts[i], p.joint, p.v, p.spread,
+            particles[i], gas[i], rest[i], contacts[i], p.joint, p.corridor, 0,
             communicator.rank(), i, Vec3::Zero()
         };
     }
@@ -369,8 +434,8 @@ void System::Implementation::pack(const Member& m, std::vector<double>& to)
         to.end(),
         {
             double(m.p.id), double(m.p.material), m.p.radius, m.p.mass,
-            double(m.pushed), m.half, double(m.owner), double(m.index), double(m.contacts.size()),
-            m.gas.Sp, m.gas.SpOmega
+            double(m.pushed), m.outran, double(m.owner), double(m.index), double(m.contacts.size()),
+            m.gas.Sp, m.gas.SpOmega, m.corridor.near, m.corridor.from, m.corridor.away
         }
     );
     put(m.p.x);
@@ -380,7 +445,7 @@ void System::Implementation::pack(const Member& m, std::vector<double>& to)
     put(m.gas.Su);
     put(m.gas.omegaC);
     put(m.impulse);
-    put(m.along);
+    put(m.corridor.v);
     packRest(m.rest, m.contacts, to);
 }
 
@@ -394,13 +459,16 @@ System::Implementation::Member System::Implementation::unpack(const double*& fro
     m.p.radius = from[2];
     m.p.mass = from[3];
     m.pushed = from[4] > 0;
-    m.half = from[5];
+    m.outran = from[5];
     m.owner = int(from[6]);
     m.index = std::size_t(from[7]);
     const std::size_t nContacts = std::size_t(from[8]);
     m.gas.Sp = from[9];
     m.gas.SpOmega = from[10];
-    from += 11;
+    m.corridor.near = from[11];
+    m.corridor.from = from[12];
+    m.corridor.away = from[13];
+    from += 14;
     m.p.x = get();
     m.p.v = get();
     m.p.omega = get();
@@ -408,7 +476,7 @@ System::Implementation::Member System::Implementation::unpack(const double*& fro
     m.gas.Su = get();
     m.gas.omegaC = get();
     m.impulse = get();
-    m.along = get();
+    m.corridor.v = get();
     unpackRest(from, nContacts, m.rest, m.contacts);
     from += restNumbers + nContacts*contactNumbers;
     return m;
@@ -540,11 +608,13 @@ std::size_t System::Implementation::label(DisjointSets& sets, double dt)
                 shown.end(), boxes[i].high.data(), boxes[i].high.data() + 3
             );
             const Path& p = paths[i];
+            const Vec3& v = p.corridor.v;
             shown.insert
             (
                 shown.end(),
                 {
-                    p.x[0], p.x[1], p.x[2], p.v[0], p.v[1], p.v[2], p.size, p.spread,
+                    p.x[0], p.x[1], p.x[2], v[0], v[1], v[2], p.corridor.near,
+                    p.corridor.from, p.corridor.away, p.size, p.hit, double(p.rigid),
                     double(c.id), c.mass, c.momentum[0], c.momentum[1], c.momentum[2],
                     double(c.active), double(c.unit), double(c.pushed), double(c.held)
                 }
@@ -552,7 +622,7 @@ std::size_t System::Implementation::label(DisjointSets& sets, double dt)
         }
         const auto everybody = communicator.allGather(shown);
 
-        constexpr std::size_t numbers = 23;
+        constexpr std::size_t numbers = 27;
         std::vector<Box> all;
         std::vector<Path> allPaths;
         std::vector<std::int64_t> ids;
@@ -566,21 +636,22 @@ std::size_t System::Implementation::label(DisjointSets& sets, double dt)
                 all.push_back({{s[k], s[k+1], s[k+2]}, {s[k+3], s[k+4], s[k+5]}});
                 Path p;
                 p.x = {s[k+6], s[k+7], s[k+8]};
-                p.v = {s[k+9], s[k+10], s[k+11]};
-                p.size = s[k+12];
-                p.spread = s[k+13];
+                p.corridor = {{s[k+9], s[k+10], s[k+11]}, s[k+12], s[k+13], s[k+14]};
+                p.size = s[k+15];
+                p.hit = s[k+16];
+                p.rigid = std::int64_t(s[k+17]);
                 allPaths.push_back(p);
-                const std::int64_t id = std::int64_t(s[k+14]);
+                const std::int64_t id = std::int64_t(s[k+18]);
                 ids.push_back(id);
                 ranks.push_back(r);
                 Component& c = joined[id];
                 c.id = id;
-                c.mass = s[k+15];
-                c.momentum = {s[k+16], s[k+17], s[k+18]};
-                c.active = s[k+19] > 0;
-                c.unit = std::int64_t(s[k+20]);
-                c.pushed = s[k+21] > 0;
-                c.held = s[k+22] > 0;
+                c.mass = s[k+19];
+                c.momentum = {s[k+20], s[k+21], s[k+22]};
+                c.active = s[k+23] > 0;
+                c.unit = std::int64_t(s[k+24]);
+                c.pushed = s[k+25] > 0;
+                c.held = s[k+26] > 0;
                 c.home = r;
             }
         }
@@ -612,6 +683,15 @@ std::size_t System::Implementation::label(DisjointSets& sets, double dt)
             }
         );
 
+        const std::size_t first = std::size_t
+        (
+            std::find(ranks.begin(), ranks.end(), communicator.rank()) - ranks.begin()
+        );
+        for (std::size_t m = 0; m < shownOnes.size(); ++m)
+        {
+            double& hit = paths[shownOnes[m]].hitNext;
+            hit = std::min(hit, allPaths[first + m].hitNext);
+        }
         for (Component& c : components)
         {
             const auto found = joined.find(root(c.id));
@@ -631,7 +711,7 @@ std::size_t System::Implementation::label(DisjointSets& sets, double dt)
             (p.own - c.velocity()).squaredNorm()
           + 0.4*particles[i].omega.squaredNorm()*particles[i].radius*particles[i].radius
         );
-        c.speed = std::max({c.speed, beyond + p.gain, p.least});
+        c.speed = std::max(c.speed, beyond + std::max(p.gain, p.least));
     }
     if (communicator.parallel())
     {
@@ -746,8 +826,8 @@ void System::Implementation::integrate
     for (const Member& m : members)
     {
         const double half =
-            m.p.radius + materials.reach(m.p.material, m.p.radius) + m.half;
-        const Vec3 end = m.p.x + dt*m.along;
+            m.p.radius + materials.reach(m.p.material, m.p.radius) + m.corridor.width(dt);
+        const Vec3 end = m.p.x + dt*m.corridor.v;
         walls.query
         (
             m.p.x.cwiseMin(end).array() - half, m.p.x.cwiseMax(end).array() + half, surfaces
@@ -761,7 +841,7 @@ void System::Implementation::integrate
             state.aggregate = -1;
             ++report.wakes;
         }
-        island.addParticle(m.p, m.gas, state, m.half, m.along);
+        island.addParticle(m.p, m.gas, state, m.corridor);
         island.addSurfaces(surfaces);
     }
 
@@ -791,7 +871,7 @@ void System::Implementation::integrate
         m.rest = island.rest(int(i));
         m.impulse = island.gasImpulse(int(i));
         m.contacts = island.contacts(int(i));
-        m.half = std::max(m.half, island.farthest(int(i)));
+        m.outran = island.outran(int(i));
     }
 }
 
@@ -822,7 +902,11 @@ StepReport System::Implementation::advance(double dt)
         boxes[i] = box(i, p, dt);
         if (!awake(i)) continue;
         p.held = wallWithin(boxes[i]);
-        p.pushed = p.pushed || p.held;
+        if (p.held)
+        {
+            p.pushed = true;
+            p.hit = p.hitNext = 0;
+        }
     }
     if (!time.islands) return advanceTogether(dt, report);
 
@@ -830,10 +914,15 @@ StepReport System::Implementation::advance(double dt)
     // fast as the fastest of its component, and hit others, until nobody is added
     grid.build(periodic);
     DisjointSets sets(n);
+    // nothing new can come of them
+    const auto known = [&](std::size_t i, std::size_t j)
+    {
+        return i == j || (paths[i].hit == 0 && paths[j].hit == 0 && sets.together(i, j));
+    };
     grid.pairs([&](int i, int j)
     {
         const std::size_t a = std::size_t(i), b = std::size_t(j);
-        if (sets.together(a, b) || !meet(paths[a], paths[b], dt)) return;
+        if (known(a, b) || !meet(paths[a], paths[b], dt)) return;
         sets.join(a, b);
         crowded[a] = crowded[b] = 1;
     });
@@ -852,12 +941,18 @@ StepReport System::Implementation::advance(double dt)
             const std::size_t i = crowd[k];
             const Label& of = labels[k];
             Path& p = paths[i];
+            // in few stages, so that it ends soon
+            if (p.hitNext <= dt) p.hit = std::min(p.hit, std::floor(32*p.hitNext/dt)*dt/32);
             if (!of.active || of.alone) continue;
-            const double half = halfWidth(i, of.speed, dt);
-            if (p.joint && p.v == of.velocity && p.spread >= half) continue;
+            const Corridor wider = pushedCorridor(i, of, dt);
+            const Corridor& c = p.corridor;
+            if
+            (
+                p.joint && c.v == wider.v && c.near >= wider.near && c.from <= wider.from
+             && c.away >= wider.away
+            ) continue;
             p.joint = true;
-            p.v = of.velocity;
-            p.spread = half;
+            p.corridor = wider;
             boxes[i] = box(i, p, dt);
             grid.changed(int(i));
             p.held = p.held || wallWithin(boxes[i]);
@@ -868,26 +963,27 @@ StepReport System::Implementation::advance(double dt)
             if (move(dt, report, clock)) return report;
             continue;
         }
-        // every pair that is not together yet has a partner outside the largest set
+        // of every pair that is news, one partner is widened, and one is outside the largest
+        // set or can be pushed earlier
         asked.swap(widened);
         if (outside < asked.size())
         {
-            std::vector<std::size_t> count(n);
+            std::vector<std::size_t> count(n), others;
             for (std::size_t i = 0; i < n; ++i) ++count[sets.find(i)];
             const std::size_t largest =
                 std::size_t(std::max_element(count.begin(), count.end()) - count.begin());
-            asked.clear();
-            for (std::size_t i = 0; i < n; ++i)
+            for (std::size_t i = 0; i < n && others.size() < asked.size(); ++i)
             {
-                if (sets.find(i) != largest) asked.push_back(i);
+                if (sets.find(i) != largest || paths[i].hit > 0) others.push_back(i);
             }
+            if (others.size() < asked.size()) asked.swap(others);
         }
         for (const std::size_t i : asked)
         {
             grid.overlapping(boxes[i], [&](int other)
             {
                 const std::size_t j = std::size_t(other);
-                if (sets.together(i, j) || !meet(paths[i], paths[j], dt)) return;
+                if (known(i, j) || !meet(paths[i], paths[j], dt)) return;
                 sets.join(i, j);
                 addToCrowd(i);
                 addToCrowd(j);
@@ -927,14 +1023,14 @@ StepReport System::Implementation::advanceTogether(double dt, StepReport& report
         double fastest = 0;
         for (const Path& p : paths)
         {
-            fastest = std::max({fastest, p.own.norm() + p.gain, p.least});
+            fastest = std::max(fastest, p.own.norm() + std::max(p.gain, p.least));
         }
         fastest = communicator.max(fastest);
         for (std::size_t i = 0; i < n; ++i)
         {
             paths[i].joint = true;
-            paths[i].v = Vec3::Zero();
-            paths[i].spread = halfWidth(i, fastest, dt);
+            paths[i].corridor =
+                {Vec3::Zero(), leastPath*particles[i].radius, 0, speedMargin*fastest};
         }
     }
     while (!move(dt, report, clock));
@@ -1002,13 +1098,8 @@ bool System::Implementation::move(double dt, StepReport& report, Clock::time_poi
         }
         else
         {
-            std::vector<double> halves;
-            for (const Member& m : members) halves.push_back(m.half);
             if (!flyTogether(members, dt, island.report)) integrate(members, dt, island.report);
-            for (std::size_t k = 0; k < members.size(); ++k)
-            {
-                island.outran = island.outran || members[k].half > halves[k];
-            }
+            for (const Member& m : members) island.outran = island.outran || m.outran > 0;
         }
         moved.add(island.report);
         for (const Member& m : members)
@@ -1031,11 +1122,11 @@ bool System::Implementation::move(double dt, StepReport& report, Clock::time_poi
     {
         for (const Member& m : entry.second.members)
         {
-            if (m.owner != rank) continue;
+            if (m.owner != rank || m.outran <= 0) continue;
             Path& p = paths[m.index];
-            if (m.half <= p.spread) continue;
             p.pushed = outran = true;
-            p.least = std::max(p.least, m.half/dt);
+            p.hit = p.hitNext = 0;
+            p.least = std::max(p.least, m.outran + (p.corridor.v - p.own).norm());
         }
     }
     if (communicator.any(outran))
@@ -1111,7 +1202,7 @@ System::Implementation::remotePartners() const
         {
             const auto found = indexOf.find(std::int64_t(id));
             if (found == indexOf.end()) continue;
-            pack(member(found->second, {}), answers[std::size_t(r)]);
+            pack(member(found->second, Path()), answers[std::size_t(r)]);
         }
     }
     for (const auto& from : communicator.exchange(answers))

@@ -126,11 +126,11 @@ void IslandIntegrator::clear()
 
 void IslandIntegrator::addParticle
 (
-    const Particle& p, const GasLoad& g, const RestState& rest, double half, const Vec3& along
+    const Particle& p, const GasLoad& g, const RestState& rest, const Corridor& corridor
 )
 {
     particles_.push_back(p);
-    roam_.push_back({half, along, true});
+    roam_.push_back({corridor, true});
     gas_.push_back(g);
     rest_.push_back(rest);
     impulse_.push_back(Vec3::Zero());
@@ -305,15 +305,16 @@ void IslandIntegrator::findCandidates(double dt)
         const Particle& p = particles_[i];
         const double margin = roaming*p.radius;
         Roam& roam = roam_[i];
-        const Vec3 end = p.x + dt*roam.along;
+        const Vec3 end = p.x + dt*roam.corridor.v;
+        const double width = roam.corridor.width(dt);
         Vec3 low = p.x.cwiseMin(end), high = p.x.cwiseMax(end);
-        roam.all = !many || roam.half + (high - low).maxCoeff() <= margin;
+        roam.all = !many || width + (high - low).maxCoeff() <= margin;
         if (!roam.all)
         {
             low = high = p.x;
             if (!rest_[i].resting) flightBox(p, gas_[i], dt, low, high);
         }
-        const double half = p.radius + reach_[i] + (roam.all ? roam.half : margin);
+        const double half = p.radius + reach_[i] + (roam.all ? width : margin);
         boxes_[i] = {low.array() - half, high.array() + half};
     }
 
@@ -855,22 +856,21 @@ bool IslandIntegrator::anyContact() const
 
 
 //- particles_ are where the bodies and their points began
-void IslandIntegrator::noteFarthest()
+void IslandIntegrator::noteOutran()
 {
+    if (elapsed_ <= 0) return;
     for (std::size_t k = 0; k < bodies_.size(); ++k)
     {
-        farthest_[k] = std::max
-        (
-            farthest_[k],
-            (vec(bodies_[k].x) - particles_[k].x - elapsed_*roam_[k].along).norm()
-        );
+        const Corridor& c = roam_[k].corridor;
+        const double off = (vec(bodies_[k].x) - particles_[k].x - elapsed_*c.v).norm();
+        if (off > c.width(elapsed_)) outran_[k] = std::max(outran_[k], off/elapsed_);
     }
 }
 
 
 void IslandIntegrator::refreshNear()
 {
-    noteFarthest();
+    noteOutran();
     // enough for some steps, as fast as they are now
     skin_ = 0.2*smallest_;
     if (contactStep_ > 0)
@@ -2244,7 +2244,7 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
     refined_ = false;
     flies_.assign(n, 0);
     loads_.assign(n, Load{});
-    farthest_.assign(n, 0);
+    outran_.assign(n, 0);
     awake_.clear();
     smallest_ = 1e300;
     flightStep_ = -1;
@@ -2469,7 +2469,7 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
         }
     }
 
-    noteFarthest();
+    noteOutran();
     prepareSprings(0);
     freezeFlying(report);
     for (LawLists& l : lists_)

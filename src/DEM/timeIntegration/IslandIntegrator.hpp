@@ -72,6 +72,18 @@ inline bool wakes(const RestState& rest, const GasLoad& gas)
     return (now - then).squaredNorm() > rest.wakeForce*rest.wakeForce;
 }
 
+//- Where a particle is searched for: within width(t) of a point that flies at v from where the
+//  particle begins. So near to it until something pushes it; then it gets away.
+struct Corridor
+{
+    Vec3 v = Vec3::Zero();      // [m/s]
+    double near = 1e30;         // [m]
+    double from = 0;            // when it can first be pushed [s]
+    double away = 0;            // how fast it then gets away, at most [m/s]
+
+    double width(double t) const { return near + away*std::max(t - from, 0.0); }
+};
+
 class IslandIntegrator
 {
 public:
@@ -88,12 +100,11 @@ public:
 
         void clear();
 
-        //- Particles in order of id. half [m]: how far it can get in this step, if it is pushed,
-        //  from a point that flies at `along` [m/s]
+        //- Particles in order of id. corridor: where it can get in this step
         void addParticle
         (
-            const Particle& p, const GasLoad& g, const RestState& rest, double half = 1e30,
-            const Vec3& along = Vec3::Zero()
+            const Particle& p, const GasLoad& g, const RestState& rest,
+            const Corridor& corridor = {}
         );
 
         //- Surfaces that the last particle can reach in this step
@@ -114,8 +125,9 @@ public:
         const Vec3& gasImpulse(int i) const { return impulse_[std::size_t(i)]; }
         const RestState& rest(int i) const { return rest_[std::size_t(i)]; }
 
-        //- How far particle i has been from that point [m]
-        double farthest(int i) const { return farthest_[std::size_t(i)]; }
+        //- How fast particle i has left its corridor, on average since it began [m/s]; 0: it
+        //  has not
+        double outran(int i) const { return outran_[std::size_t(i)]; }
 
         //- Contacts of particle i as the lower partner
         std::vector<ContactRecord> contacts(int i) const;
@@ -133,8 +145,7 @@ private:
     //- Where a particle may be until candidates are looked for again
     struct Roam
     {
-        double half;        // how far from its point it can get at all [m]
-        Vec3 along;         // velocity of that [m/s]
+        Corridor corridor;
         bool all;           // its box holds all of that
     };
 
@@ -252,7 +263,7 @@ private:
     double inertia(std::size_t i) const;
     void updateWalls();
     void refreshNear();
-    void noteFarthest();
+    void noteOutran();
     void findNearSurfaces(int i);
     ContactBound contactBound
     (
@@ -296,7 +307,7 @@ private:
     std::vector<RestState> rest_;
     std::vector<Vec3> impulse_;
     std::vector<double> reach_;             // longest neck [m]
-    std::vector<double> farthest_;          // [m]
+    std::vector<double> outran_;            // [m/s]
     std::vector<std::vector<Stored>> stored_;
     std::vector<Roam> roam_;
     std::vector<Box> boxes_;                // that the particles stay within, surfaces included
