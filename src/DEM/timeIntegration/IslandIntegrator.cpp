@@ -2435,10 +2435,12 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
         }
 
         if (4*fastest_*now > skin_) keepInBoxes(now);
+        const bool flown = !anyContact();
         step(now, std::min(h, left - now), report);
         t = now < left ? t + now : dt;
 
-        if (exactEvents_) complete();
+        // what begins after a flight must not act over all of it
+        if (exactEvents_ || flown) complete();
         wakeLoaded(report);
         bool event = endMarked(report);
         event = form(report) || event;
