@@ -319,6 +319,76 @@ TEST(system, withoutIslandsTheSamePhysics)
 }
 
 
+TEST(system, islandsMissNoCollision)
+{
+    // many that fly through each other, light and heavy, over a floor, through several
+    // collisions in a particle step: the same touches as when all take every step
+    Law law = scene::stickyLaw();
+    law.E = 2e9;
+    law.gamma = 0.01;
+    const double r = 5e-6, edge = 30*r, dt = 5e-6;
+    dem::Periodic periodic;
+    periodic.length = Vec3(edge, edge, 0);
+    const auto cloud = [&](unsigned seed)
+    {
+        scene::Random random(seed);
+        std::vector<dem::Particle> particles;
+        while (particles.size() < 60)
+        {
+            const double radius = particles.size()%10 ? r*random.uniform(0.5, 1.5) : 3*r;
+            const Vec3 x = Vec3(0, 0, 0.5*edge + 3.2*r) + random.inBox(0.5*edge);
+            bool free = true;
+            for (const dem::Particle& p : particles)
+            {
+                free = free && periodic.nearest(p.x - x).norm() > 1.02*(p.radius + radius);
+            }
+            if (!free) continue;
+            const std::int64_t id = std::int64_t(particles.size());
+            particles.push_back(sphere(law, id, radius, x, random.inBox(1.5)));
+        }
+        return particles;
+    };
+    std::int64_t touches = 0;
+    for (unsigned seed = 1; seed <= 20; ++seed)
+    {
+        SCOPED_TRACE(seed);
+        const auto run = [&](bool islands, dem::StepReport& report)
+        {
+            dem::TimeSettings time = neverRests();
+            time.islands = islands;
+            dem::System system(law.table(), time);
+            system.setPeriodic(periodic);
+            system.setWalls(scene::floor());
+            for (const dem::Particle& p : cloud(seed)) system.add(p);
+            for (int step = 0; step < 6; ++step)
+            {
+                for (std::size_t i = 0; seed%2 && i < system.size(); ++i)
+                {
+                    dem::GasLoad wind;
+                    wind.Sp = system.particle(i).mass/2e-4;
+                    wind.Uc = Vec3(2, 0, 0);
+                    system.setGasLoad(i, wind);
+                }
+                report.add(system.advance(dt));
+            }
+            std::vector<Vec3> x;
+            for (std::size_t i = 0; i < system.size(); ++i) x.push_back(system.particle(i).x);
+            return x;
+        };
+        dem::StepReport with, without;
+        const auto a = run(true, with), b = run(false, without);
+        EXPECT_EQ(with.touches, without.touches);
+        EXPECT_EQ(with.separations, without.separations);
+        for (std::size_t i = 0; i < a.size(); ++i)
+        {
+            EXPECT_LT(periodic.nearest(a[i] - b[i]).norm(), 0.5*r) << i;
+        }
+        touches += without.touches;
+    }
+    EXPECT_GT(touches, 300);
+}
+
+
 // * * * * * * * * * * * * * * * * Rest and wake * * * * * * * * * * * * * * * * * * * * //
 
 TEST(rest, aStuckSphereComesToRest)
