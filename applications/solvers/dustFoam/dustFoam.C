@@ -26,16 +26,19 @@ Description
 
     The gas is either frozen, i.e. taken as it is at the start time, or solved
     by PIMPLE. With two-way coupling it feels the particles by their momentum
-    and by the void fraction alphac:
+    (momentumExchange.H) and by the void fraction alphac:
 
     \verbatim
         ddt(alphac) + div(alphac U) = 0
         ddt(alphac U) + div(alphac U U) - div(alphac R)
-            = -grad p + (momentum from the particles)/rho
+            = -grad p + (force of the particles)/rho
     \endverbatim
 
-    The pressure gradient acts on the gas in full (model B of Gidaspow, as in
-    DPMFoam); p is kinematic and without the hydrostatic part.
+    The pressure gradient acts on the gas in full and not on the particles
+    (model B of Gidaspow, as in DPMFoam; OpenFOAM's dense drag laws and
+    slipErgunWenYuDrag are made for it); p is kinematic and without the
+    hydrostatic part. constant/fvOptions or system/fvOptions are used where the
+    gas is solved.
 
 Usage
     \b dustFoam [OPTIONS]
@@ -57,6 +60,9 @@ Usage
 #include "singlePhaseTransportModel.H"
 #include "PhaseIncompressibleTurbulenceModel.H"
 #include "pimpleControl.H"
+#include "fvOptions.H"
+#include "fixedFluxPressureFvPatchScalarField.H"
+#include "surfaceInterpolationScheme.H"
 #include "clockTime.H"
 #include "dustCloud.H"
 
@@ -114,15 +120,15 @@ int main(int argc, char *argv[])
 
             if (dust.twoWay())
             {
-                alphac = dust.voidFraction();
+                alphaGas = alphac;
+                alphacf = fvc::interpolate(alphaGas);
             }
-            alphacf = fvc::interpolate(alphac);
             alphaPhi = alphacf*phi;
 
             transport.correct();
             mu = rho*transport.nu();
 
-            #include "cloudSource.H"
+            #include "faceForce.H"
 
             while (pimple.loop())
             {
@@ -137,6 +143,11 @@ int main(int argc, char *argv[])
                 {
                     turbulence->correct();
                 }
+            }
+
+            if (dust.twoWay())
+            {
+                dust.receive(U.oldTime());
             }
 
             gasSeconds = gasClock.elapsedTime();

@@ -116,7 +116,7 @@ public:
         double outran;      // when moved: how fast it has left that [m/s]; 0: it has not
         int owner;
         std::size_t index;  // on its owner
-        Vec3 impulse = Vec3::Zero();
+        GasExchange exchange = {};
     };
 
     //- Members in order of id, as moved in one particle step
@@ -311,13 +311,14 @@ public:
     StepReport advanceTogether(double dt, StepReport& report);
     bool move(double dt, StepReport& report, Clock::time_point& clock);
     void finish(double dt, StepReport& report);
+    void exchangeAtRest(double dt);
 
     Member member(std::size_t i, const Path& p) const
     {
         return
         {
             particles[i], gas[i], rest[i], contacts[i], p.joint, p.corridor, 0,
-            communicator.rank(), i, Vec3::Zero()
+            communicator.rank(), i, {}
         };
     }
 
@@ -326,7 +327,7 @@ public:
         particles[m.index] = m.p;
         rest[m.index] = m.rest;
         contacts[m.index] = m.contacts;
-        impulse[m.index] = m.impulse;
+        exchange[m.index] = m.exchange;
     }
 
     static void pack(const Member& m, std::vector<double>& to);
@@ -355,7 +356,9 @@ public:
     std::vector<Particle> particles;
     std::vector<GasLoad> gas;
     std::vector<RestState> rest;
-    std::vector<Vec3> impulse;
+    std::vector<GasExchange> exchange;
+    bool keepExchange = false;
+    double kicked = 0;                  // work of kick() since the last advance() [J]
     std::vector<double> reach;
     std::vector<std::vector<ContactRecord>> contacts;
     std::unordered_map<std::int64_t, std::size_t> indexOf;
@@ -435,7 +438,8 @@ void System::Implementation::pack(const Member& m, std::vector<double>& to)
         {
             double(m.p.id), double(m.p.material), m.p.radius, m.p.mass,
             double(m.pushed), m.outran, double(m.owner), double(m.index), double(m.contacts.size()),
-            m.gas.Sp, m.gas.SpOmega, m.corridor.near, m.corridor.from, m.corridor.away
+            m.gas.Sp, m.gas.SpOmega, m.corridor.near, m.corridor.from, m.corridor.away,
+            m.exchange.response, m.exchange.memory, double(m.exchange.held)
         }
     );
     put(m.p.x);
@@ -444,7 +448,7 @@ void System::Implementation::pack(const Member& m, std::vector<double>& to)
     put(m.gas.Uc);
     put(m.gas.Su);
     put(m.gas.omegaC);
-    put(m.impulse);
+    put(m.exchange.impulse);
     put(m.corridor.v);
     packRest(m.rest, m.contacts, to);
 }
@@ -468,14 +472,17 @@ System::Implementation::Member System::Implementation::unpack(const double*& fro
     m.corridor.near = from[11];
     m.corridor.from = from[12];
     m.corridor.away = from[13];
-    from += 14;
+    m.exchange.response = from[14];
+    m.exchange.memory = from[15];
+    m.exchange.held = from[16] > 0;
+    from += 17;
     m.p.x = get();
     m.p.v = get();
     m.p.omega = get();
     m.gas.Uc = get();
     m.gas.Su = get();
     m.gas.omegaC = get();
-    m.impulse = get();
+    m.exchange.impulse = get();
     m.corridor.v = get();
     unpackRest(from, nContacts, m.rest, m.contacts);
     from += restNumbers + nContacts*contactNumbers;
@@ -784,11 +791,12 @@ bool System::Implementation::flyTogether
 
     std::vector<Vec3> impulses;
     const Eigen::Matrix3d turn = body.fly(dt, impulses);
+    const FlightFactors flight = body.flight(dt);
     for (std::size_t k = 0; k < members.size(); ++k)
     {
         Member& m = members[k];
         m.p = flyers[k];
-        m.impulse = impulses[k];
+        m.exchange = {impulses[k], m.gas.Sp*flight.p1, flight.e, false};
         Eigen::Map<Vec3> force(m.rest.force);
         force = turn*Vec3(force);
         Eigen::Map<Vec3> arm(m.rest.arm);
@@ -864,12 +872,14 @@ void System::Implementation::integrate
     island.run(dt, now, report);
     ++report.islands;
 
+    std::vector<GasExchange> exchanges;
+    if (keepExchange) exchanges = island.gasExchange(dt);
     for (std::size_t i = 0; i < members.size(); ++i)
     {
         Member& m = members[i];
         m.p = island.particle(int(i));
         m.rest = island.rest(int(i));
-        m.impulse = island.gasImpulse(int(i));
+        if (keepExchange) m.exchange = exchanges[i];
         m.contacts = island.contacts(int(i));
         m.outran = island.outran(int(i));
     }
@@ -882,11 +892,14 @@ StepReport System::Implementation::advance(double dt)
     Clock::time_point clock = Clock::now();
     const std::size_t n = particles.size();
     tried.clear();      // an earlier step may have ended in an error
+    report.energy.kinetic += kicked;
+    report.energy.gas += kicked;
+    kicked = 0;
     bool active = false;
     for (std::size_t i = 0; i < n && !active; ++i) active = awake(i);
+    if (keepExchange) exchangeAtRest(dt);
     if (!communicator.any(active))
     {
-        std::fill(impulse.begin(), impulse.end(), Vec3::Zero());
         finish(dt, report);
         return report;
     }
@@ -897,7 +910,6 @@ StepReport System::Implementation::advance(double dt)
     crowded.assign(n, 0);
     for (std::size_t i = 0; i < n; ++i)
     {
-        impulse[i] = Vec3::Zero();
         Path& p = paths[i] = path(i, dt);
         boxes[i] = box(i, p, dt);
         if (!awake(i)) continue;
@@ -1148,7 +1160,12 @@ bool System::Implementation::move(double dt, StepReport& report, Clock::time_poi
     for (const std::size_t i : flights)
     {
         const double before = time.energyLedger ? particles[i].kineticEnergy() : 0;
-        impulse[i] = fly(particles[i], gas[i], dt);
+        const Vec3 impulse = fly(particles[i], gas[i], dt);
+        if (keepExchange)
+        {
+            const FlightFactors f(gas[i].Sp/particles[i].mass, dt);
+            exchange[i] = {impulse, gas[i].Sp*f.p1, f.e, false};
+        }
         if (time.energyLedger)
         {
             const double work = particles[i].kineticEnergy() - before;
@@ -1163,6 +1180,18 @@ bool System::Implementation::move(double dt, StepReport& report, Clock::time_poi
     finish(dt, report);
     report.secondsSearch += since(clock);
     return true;
+}
+
+
+//- What the gas gives to those at rest, whom nothing else may look at in this particle step
+void System::Implementation::exchangeAtRest(double dt)
+{
+    for (std::size_t i = 0; i < particles.size(); ++i)
+    {
+        if (awake(i)) continue;
+        const GasLoad& g = gas[i];
+        exchange[i] = {dt*(g.Sp*g.Uc + g.Su), dt*g.Sp, 1, true};
+    }
 }
 
 
@@ -1311,7 +1340,7 @@ std::size_t System::add(const Particle& p)
     impl_->particles.back().x = impl_->periodic.wrapped(p.x);
     impl_->gas.emplace_back();
     impl_->rest.emplace_back();
-    impl_->impulse.push_back(Vec3::Zero());
+    impl_->exchange.emplace_back();
     impl_->reach.push_back(materials().reach(p.material, p.radius));
     impl_->contacts.emplace_back();
     return size() - 1;
@@ -1334,7 +1363,7 @@ void System::remove(const std::vector<char>& marked)
             s.particles[kept] = s.particles[i];
             s.gas[kept] = s.gas[i];
             s.rest[kept] = s.rest[i];
-            s.impulse[kept] = s.impulse[i];
+            s.exchange[kept] = s.exchange[i];
             s.reach[kept] = s.reach[i];
             s.contacts[kept] = std::move(s.contacts[i]);
             s.indexOf[s.particles[i].id] = kept;
@@ -1344,7 +1373,7 @@ void System::remove(const std::vector<char>& marked)
     s.particles.resize(kept);
     s.gas.resize(kept);
     s.rest.resize(kept);
-    s.impulse.resize(kept);
+    s.exchange.resize(kept);
     s.reach.resize(kept);
     s.contacts.resize(kept);
 }
@@ -1414,9 +1443,21 @@ StepReport System::advance(double dt)
 }
 
 
-const Vec3& System::gasImpulse(std::size_t i) const
+const GasExchange& System::gasExchange(std::size_t i) const
 {
-    return impl_->impulse[impl_->checked(i)];
+    return impl_->exchange[impl_->checked(i)];
+}
+
+
+void System::keepGasExchange(bool keep) { impl_->keepExchange = keep; }
+
+
+void System::kick(std::size_t i, const Vec3& impulse)
+{
+    Particle& p = impl_->particles[impl_->checked(i)];
+    const double before = p.kineticEnergy();
+    p.v += impulse/p.mass;
+    if (impl_->time.energyLedger) impl_->kicked += p.kineticEnergy() - before;
 }
 
 

@@ -22,6 +22,7 @@
 #include "materials/MaterialTable.hpp"
 #include "neighbourSearch/Periodic.hpp"
 #include "parallel/Communicator.hpp"
+#include "particles/GasExchange.hpp"
 #include "particles/GasLoad.hpp"
 #include "particles/Particle.hpp"
 #include "reducedStiffness/ReducedStiffness.hpp"
@@ -101,13 +102,19 @@ public:
     // Motion
 
         //- One particle step of dt [s]. Collective. Afterwards every particle of this rank
-        //  has moved, and gasImpulse() holds what the gas gave to it.
+        //  has moved, and gasExchange() holds what the gas gave to it.
         //  Errors: numericalError, with particle, contact and time named.
         StepReport advance(double dt);
 
-        //- Impulse [N s] that the gas gave to the particle in the last advance(), contact
-        //  impulses not included
-        const Vec3& gasImpulse(std::size_t index) const;
+        //- What the gas gave to the particle in the last advance()
+        const GasExchange& gasExchange(std::size_t index) const;
+
+        //- Whether gasExchange() is kept; it costs some. Default: no
+        void keepGasExchange(bool keep);
+
+        //- Give an impulse [N s] to a particle that flies alone (!inContact()); it does not
+        //  count as one of the next gasExchange(), but as work of the gas in the energy ledger
+        void kick(std::size_t index, const Vec3& impulse);
 
         double time() const;        // [s] summed over advance(); set on restart
         void setTime(double time);

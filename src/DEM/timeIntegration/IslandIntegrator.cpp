@@ -638,6 +638,7 @@ void IslandIntegrator::wake(std::vector<int>& woken, StepReport& report)
     for (const int i : woken)
     {
         RestState& rest = rest_[std::size_t(i)];
+        rests(std::size_t(i), -elapsed_);
         rest.resting = false;
         rest.quietTime = 0;
         marked_[std::size_t(i)] = 1;
@@ -2001,6 +2002,7 @@ void IslandIntegrator::checkRest(double elapsed, StepReport& report)
         for (double& v : motion_[k].v) v = 0;
         for (double& w : motion_[k].w) w = 0;
         RestState& rest = rest_[k];
+        rests(k, elapsed_);
         rest.resting = true;
         const Vec3 gasForce = gasForceAtRest(gas_[k]);
         for (int d = 0; d < 3; ++d) rest.force[d] = gasForce[d];
@@ -2058,6 +2060,13 @@ void IslandIntegrator::checkRest(double elapsed, StepReport& report)
         nearWalls_.end()
     );
     findBoundary();
+}
+
+
+//- Particle k rests from `since` on: run() adds the whole of its step to the impulse of the gas
+void IslandIntegrator::rests(std::size_t k, double since)
+{
+    impulse_[k] -= since*gasForceAtRest(gas_[k]);
 }
 
 
@@ -2232,6 +2241,40 @@ void IslandIntegrator::fail
         << b.v[0] << " " << b.v[1] << " " << b.v[2] << ") m/s, radius "
         << p.radius << " m";
     throw numericalError(s.str());
+}
+
+
+std::vector<GasExchange> IslandIntegrator::gasExchange(double dt) const
+{
+    const std::size_t n = particles_.size();
+    DisjointSets clusters(n);
+    for (std::size_t i = 0; i < n; ++i)
+    {
+        for (const Stored& s : stored_[i]) if (s.j >= 0) clusters.join(i, std::size_t(s.j));
+    }
+    std::vector<double> drag(n, 0), inertia(n, 0);     // by root
+    std::vector<char> held(n, 0);
+    for (std::size_t i = 0; i < n; ++i)
+    {
+        const std::size_t root = clusters.find(i);
+        drag[root] += gas_[i].Sp;
+        inertia[root] += mass(i);
+        if (rest_[i].resting && rest_[i].aggregate < 0) held[root] = 1;
+        for (const Stored& s : stored_[i]) if (s.j < 0) held[root] = 1;
+    }
+
+    std::vector<GasExchange> result(n);
+    for (std::size_t i = 0; i < n; ++i)
+    {
+        const std::size_t root = clusters.find(i);
+        GasExchange& e = result[i];
+        e.impulse = impulse_[i];
+        e.held = held[root];
+        const FlightFactors f(e.held ? 0 : drag[root]/inertia[root], dt);
+        e.response = gas_[i].Sp*f.p1;
+        e.memory = f.e;
+    }
+    return result;
 }
 
 
@@ -2470,6 +2513,8 @@ void IslandIntegrator::run(double dt, double time, StepReport& report)
             report.maxStepOverBound = std::max(report.maxStepOverBound, h/bound_);
         }
     }
+
+    for (std::size_t i = 0; i < n; ++i) if (rest_[i].resting) rests(i, -dt);
 
     noteOutran();
     prepareSprings(0);

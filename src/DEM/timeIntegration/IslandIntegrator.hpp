@@ -42,6 +42,7 @@
 
 #include "contacts/ContactRecord.hpp"
 #include "neighbourSearch/BoxGrid.hpp"
+#include "particles/GasExchange.hpp"
 #include "particles/GasLoad.hpp"
 #include "particles/Particle.hpp"
 #include "system/StepReport.hpp"
@@ -123,6 +124,10 @@ public:
         std::size_t size() const { return particles_.size(); }
         const Particle& particle(int i) const { return particles_[std::size_t(i)]; }
         const Vec3& gasImpulse(int i) const { return impulse_[std::size_t(i)]; }
+
+        //- Of all particles, over the last run(), which was over dt
+        std::vector<GasExchange> gasExchange(double dt) const;
+
         const RestState& rest(int i) const { return rest_[std::size_t(i)]; }
 
         //- How fast particle i has left its corridor, on average since it began [m/s]; 0: it
@@ -281,6 +286,7 @@ private:
     double timeToTouch(bool contact) const;
     double gradedStep(double h, double& end) const;
     void checkRest(double elapsed, StepReport& report);
+    void rests(std::size_t k, double since);
     void judge
     (
         std::size_t k, double energy, double force, double torque, double elapsed

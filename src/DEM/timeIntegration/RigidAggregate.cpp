@@ -188,6 +188,14 @@ void RigidAggregate::advanceCentre(double h)
 }
 
 
+FlightFactors RigidAggregate::flight(double h) const
+{
+    double S = 0;
+    for (const GasLoad& g : gas_) S += g.Sp;
+    return FlightFactors(S/M_, h);
+}
+
+
 RigidAggregate::Matrix RigidAggregate::fly(double h, std::vector<Vec3>& impulse)
 {
     const Vec3 startX = X_, startV = V_;

@@ -16,6 +16,7 @@
 #include "particles/GasLoad.hpp"
 #include "particles/Particle.hpp"
 #include "particles/vector.hpp"
+#include "timeIntegration/freeFlight.hpp"
 
 #include <vector>
 
@@ -56,6 +57,9 @@ public:
     //- Move the particles over h [s]; impulse[k] is what the gas gave [N s]. Returns the
     //  rotation of the body.
     Matrix fly(double h, std::vector<Vec3>& impulse);
+
+    //- Of the centre of mass over h, for GasExchange
+    FlightFactors flight(double h) const;
 
 
 private:

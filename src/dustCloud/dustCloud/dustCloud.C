@@ -482,18 +482,9 @@ void Foam::dustCloud::decideCoupling()
         );
     }
 
-    // OpenFOAM's own switch, and what it wants with it. cloudSolution has no
-    // other door than its dictionary.
-    dictionary& solution = const_cast<dictionary&>(solution_.dict());
-    solution.set("coupled", twoWay_ ? "true" : "false");
-    if (twoWay_ && !solution.found("sourceTerms"))
-    {
-        solution.set
-        (
-            "sourceTerms",
-            dictionary(IStringStream("schemes { U semiImplicit 1; }")())
-        );
-    }
+    // OpenFOAM's own exchange is not used. cloudSolution has no other door
+    // than its dictionary.
+    const_cast<dictionary&>(solution_.dict()).set("coupled", "false");
     solution_.read();
 }
 
@@ -506,7 +497,8 @@ Foam::dustCloud::dustCloud
     const volScalarField& rho,
     const volVectorField& U,
     const volScalarField& mu,
-    const dimensionedVector& g
+    const dimensionedVector& g,
+    volScalarField& alphac
 )
 :
     KinematicCloud<Cloud<dustParcel>>
@@ -521,6 +513,8 @@ Foam::dustCloud::dustCloud
     density_(0),
     gasFrozen_(false),
     twoWay_(false),
+    alphac_(alphac),
+    denseDrag_(false),
     escaped_(mesh_.boundaryMesh().nNonProcessor()),
     escaping_(escaped_.size()),
     nextId_(0),
@@ -674,6 +668,7 @@ Foam::dustCloud::dustCloud
     readCounters();
     d.system->setTime(mesh_.time().value());
     addArrivals();
+    prepareExchange();
 
     printMaterials();
     printPlan();
@@ -730,38 +725,6 @@ dem::EnergyLedger Foam::dustCloud::energyLedger() const
 }
 
 
-Foam::tmp<Foam::volScalarField> Foam::dustCloud::voidFraction() const
-{
-    const scalar alphaMax =
-        constProps_.dict().lookupOrDefault<scalar>("alphaMax", 0.9);
-
-    tmp<volScalarField> talpha(1 - theta());
-    volScalarField& alpha = talpha.ref();
-
-    label nClipped = 0;
-    for (scalar& a : alpha.primitiveFieldRef())
-    {
-        if (a < 1 - alphaMax)
-        {
-            a = 1 - alphaMax;
-            ++nClipped;
-        }
-    }
-    alpha.correctBoundaryConditions();
-
-    reduce(nClipped, sumOp<label>());
-    if (nClipped && !dem_->warnedSize)
-    {
-        WarningInFunction
-            << nClipped << " cells hold more particles than alphaMax "
-            << alphaMax << " allows: their void fraction is kept at "
-            << 1 - alphaMax << endl;
-    }
-
-    return talpha;
-}
-
-
 void Foam::dustCloud::evolve(const scalar gasSeconds)
 {
     demData& d = *dem_;
@@ -793,17 +756,12 @@ void Foam::dustCloud::evolve(const scalar gasSeconds)
     snapshotPtr_.reset();
     functions_.preEvolve();
 
-    if (twoWay_)
-    {
-        resetSourceTerms();
-    }
-
     inject(*tdPtr_);
     motion(*tdPtr_);
-
+    updateVoidFraction();
     if (twoWay_)
     {
-        scaleSources();
+        closeExchange();
     }
     updateCellOccupancy();
     functions_.postEvolve();

@@ -61,7 +61,6 @@ void Foam::dustCloud::setGasLoads
     dustParcel::trackingData& td,
     const scalar dt,
     const label subStep,
-    scalarField& Sp,
     vectorField& nonCoupled
 )
 {
@@ -70,7 +69,6 @@ void Foam::dustCloud::setGasLoads
 
     if (twoWay_)
     {
-        Sp.setSize(size());
         nonCoupled.setSize(size());
     }
 
@@ -121,7 +119,8 @@ void Foam::dustCloud::setGasLoads
         (
             forces_.calcNonCoupled(p, td, dt, mass, Re, td.muc())
         );
-        const vector Su = coupled.Su() + other.Su();
+        const vector owed = p.owed()/dt;
+        const vector Su = coupled.Su() + other.Su() + owed;
 
         if
         (
@@ -152,8 +151,7 @@ void Foam::dustCloud::setGasLoads
 
         if (twoWay_)
         {
-            Sp[parceli] = coupled.Sp();
-            nonCoupled[parceli] = other.Su();
+            nonCoupled[parceli] = other.Su() + owed;
         }
     }
 }
@@ -162,7 +160,6 @@ void Foam::dustCloud::setGasLoads
 void Foam::dustCloud::takeMotion
 (
     const scalar dt,
-    const scalarField& Sp,
     const vectorField& nonCoupled
 )
 {
@@ -176,10 +173,16 @@ void Foam::dustCloud::takeMotion
 
         if (twoWay_)
         {
-            // From the cell where the step began
-            UTrans()[p.cell()] -=
-                toVector(system.gasImpulse(index)) - dt*nonCoupled[i];
-            UCoeff()[p.cell()] += dt*Sp[i];
+            // In the cell where the step began
+            const dem::GasExchange& e = system.gasExchange(index);
+            exchangePtr_->give
+            (
+                p.cell(),
+                toVector(e.impulse) - dt*nonCoupled[i]
+            );
+            p.response() = p.response()*e.memory + e.response;
+            p.held() = e.held;
+            p.owed() = Zero;
         }
         ++i;
 
@@ -278,9 +281,16 @@ void Foam::dustCloud::motion(dustParcel::trackingData& td)
 {
     demData& d = *dem_;
 
-    scalarField Sp;
     vectorField nonCoupled;
     escaping_ = tally();
+    if (twoWay_)
+    {
+        exchangePtr_->reset();
+        for (dustParcel& p : *this)
+        {
+            p.response() = 0;
+        }
+    }
     d.gasStep = dem::StepReport();
 
     scalar left = solution_.trackTime();
@@ -298,7 +308,7 @@ void Foam::dustCloud::motion(dustParcel::trackingData& td)
         left = n > 1 ? left - dt : 0;
 
         const stopwatch forcing;
-        setGasLoads(td, dt, subStep, Sp, nonCoupled);
+        setGasLoads(td, dt, subStep, nonCoupled);
         d.forceSeconds += forcing.seconds();
 
         const stopwatch moving;
@@ -316,7 +326,7 @@ void Foam::dustCloud::motion(dustParcel::trackingData& td)
         ++d.particleSteps;
 
         const stopwatch tracking;
-        takeMotion(dt, Sp, nonCoupled);
+        takeMotion(dt, nonCoupled);
 
         td.relocating = true;
         Cloud<dustParcel>::move(*this, td, dt);

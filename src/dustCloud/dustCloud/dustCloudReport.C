@@ -388,8 +388,17 @@ void Foam::dustCloud::printPlan() const
     line
     (
         "void fraction",
-        twoWay_,
-        twoWay_ ? "goes with two-way coupling" : "one-way: alphac is 1"
+        smoothingPtr_.valid(),
+        (
+            twoWay_ ? std::string("goes with two-way coupling")
+          : denseDrag_ ? std::string("one-way: known to the drag only")
+          : std::string("one-way, and no drag depends on it")
+        )
+      + (
+            smoothingPtr_.valid()
+          ? format(", spread over %.3g m", smoothingPtr_->width())
+          : ""
+        )
     );
     line
     (
@@ -516,26 +525,6 @@ void Foam::dustCloud::checkLimits()
                 << " exceeds couplingMassLoading " << d.massLoadingLimit
                 << ", but the run began one-way. Restart with coupling twoWay"
                 << " and gas solved if it matters. Said once." << endl;
-        }
-    }
-
-    if (twoWay_ && !d.warnedSize)
-    {
-        scalar ratio = 0;
-        for (const dustParcel& p : *this)
-        {
-            ratio = max(ratio, p.d()/cellLengthScale_[p.cell()]);
-        }
-        reduce(ratio, maxOp<scalar>());
-
-        if (ratio > 0.5)
-        {
-            d.warnedSize = true;
-            WarningInFunction
-                << "Time " << time.timeName() << ": a particle is " << ratio
-                << " times its cell; above 0.5 void fraction and feedback of"
-                << " two-way coupling jump as it moves from cell to cell."
-                << " Said once." << endl;
         }
     }
 
@@ -794,6 +783,15 @@ void Foam::dustCloud::summarise()
     if (keepsEnergyLedger())
     {
         Info<< energyText(energyLedger()).c_str() << nl;
+    }
+    if (twoWay_)
+    {
+        Info<< format
+            (
+                "    momentum given by the gas and got by the particles differ "
+                "by at most %.2g of what was exchanged in a gas step\n",
+                exchangePtr_->imbalance()
+            ).c_str();
     }
     if (offMesh)
     {

@@ -56,6 +56,9 @@ Foam::dustParcel::dustParcel
     x_(position()),
     state_(fresh),
     moved_(false),
+    owed_(Zero),
+    response_(0),
+    held_(false),
     blob_(),
     demIndex_(-1),
     loaded_(false)
@@ -74,6 +77,9 @@ Foam::dustParcel::dustParcel
     x_(position),
     state_(fresh),
     moved_(false),
+    owed_(Zero),
+    response_(0),
+    held_(false),
     blob_(),
     demIndex_(-1),
     loaded_(false)
@@ -93,6 +99,9 @@ Foam::dustParcel::dustParcel
     x_(Zero),
     state_(airborne),
     moved_(false),
+    owed_(Zero),
+    response_(0),
+    held_(false),
     blob_(),
     demIndex_(-1),
     loaded_(false)
@@ -101,7 +110,7 @@ Foam::dustParcel::dustParcel
     {
         if (is.format() == IOstream::ASCII)
         {
-            is >> omega_ >> x_ >> state_ >> moved_;
+            is >> omega_ >> x_ >> state_ >> moved_ >> owed_ >> response_ >> held_;
         }
         else
         {
@@ -121,6 +130,9 @@ Foam::dustParcel::dustParcel(const dustParcel& p, const polyMesh& mesh)
     x_(p.x_),
     state_(p.state_),
     moved_(p.moved_),
+    owed_(p.owed_),
+    response_(p.response_),
+    held_(p.held_),
     blob_(p.blob_),
     demIndex_(-1),
     loaded_(false)
@@ -138,7 +150,10 @@ Foam::Ostream& Foam::operator<<(Ostream& os, const dustParcel& p)
         os  << token::SPACE << p.omega_
             << token::SPACE << p.x_
             << token::SPACE << p.state_
-            << token::SPACE << p.moved_;
+            << token::SPACE << p.moved_
+            << token::SPACE << p.owed_
+            << token::SPACE << p.response_
+            << token::SPACE << p.held_;
     }
     else
     {

@@ -77,7 +77,8 @@ public:
             const std::size_t k = at[parts_->particle(i).id];
             const bool equal =
                 scene::same(parts_->particle(i), serial_->particle(k))
-             && parts_->gasImpulse(i) == serial_->gasImpulse(k)
+             && parts_->gasExchange(i).impulse == serial_->gasExchange(k).impulse
+             && parts_->gasExchange(i).response == serial_->gasExchange(k).response
              && parts_->resting(i) == serial_->resting(k)
              && parts_->inContact(i) == serial_->inContact(k);
             EXPECT_TRUE(equal) << "particle " << parts_->particle(i).id

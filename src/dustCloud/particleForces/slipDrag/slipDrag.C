@@ -42,7 +42,19 @@ Foam::slipDrag::slipDrag
     const dictionary& dict
 )
 :
-    ParticleForce<cloudType>(owner, mesh, dict, typeName, true),
+    slipDrag(owner, mesh, dict, typeName)
+{}
+
+
+Foam::slipDrag::slipDrag
+(
+    cloudType& owner,
+    const fvMesh& mesh,
+    const dictionary& dict,
+    const word& forceType
+)
+:
+    ParticleForce<cloudType>(owner, mesh, dict, forceType, true),
     lambda_(this->coeffs().get<scalar>("lambda")),
     A_
     (
@@ -54,7 +66,7 @@ Foam::slipDrag::slipDrag
         if (e.keyword() != "lambda" && e.keyword() != "A")
         {
             FatalIOErrorInFunction(this->coeffs())
-                << "unknown keyword '" << e.keyword() << "' in slipDrag" << nl
+                << "unknown keyword '" << e.keyword() << "' in " << forceType << nl
                 << "    allowed: lambda, A" << exit(FatalIOError);
         }
     }

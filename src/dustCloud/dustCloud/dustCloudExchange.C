@@ -1,0 +1,142 @@
+/*---------------------------------------------------------------------------*\
+    dustFoam: adhesive dust in ventilation ducts
+-------------------------------------------------------------------------------
+License
+    This file is part of dustFoam.
+
+    dustFoam is free software: you can redistribute it and/or modify it under
+    the terms of the GNU General Public License as published by the Free
+    Software Foundation, either version 3 of the License, or (at your option)
+    any later version.
+
+    dustFoam is distributed in the hope that it will be useful, but WITHOUT ANY
+    WARRANTY; without even the implied warranty of MERCHANTABILITY or FITNESS
+    FOR A PARTICULAR PURPOSE.  See the GNU General Public License for more
+    details.
+
+    You should have received a copy of the GNU General Public License along
+    with dustFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "dustCloudData.H"
+#include "dustSnapshot.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::dustCloud::prepareExchange()
+{
+    for (const entry& e : subModelProperties_.subDict("particleForces"))
+    {
+        denseDrag_ =
+            denseDrag_
+         || e.keyword().endsWith("ErgunWenYuDrag")
+         || e.keyword() == "WenYuDrag"
+         || e.keyword() == "PlessisMasliyahDrag";
+    }
+
+    if (twoWay_ || denseDrag_)
+    {
+        smoothingPtr_.reset(new diffusiveSmoothing(mesh_));
+        updateVoidFraction();
+    }
+    if (twoWay_)
+    {
+        exchangePtr_.reset(new momentumExchange(mesh_, smoothingPtr_()));
+        dem_->system->keepGasExchange(true);
+        alphac_.writeOpt() = IOobject::AUTO_WRITE;
+    }
+}
+
+
+void Foam::dustCloud::setSmoothingWidth()
+{
+    scalar largest = dem_->diameters[2];
+    for (const dustParcel& p : *this)
+    {
+        largest = max(largest, p.d());
+    }
+    smoothingPtr_->setWidth(3*returnReduce(largest, maxOp<scalar>()));
+}
+
+
+void Foam::dustCloud::updateVoidFraction()
+{
+    if (!smoothingPtr_.valid())
+    {
+        return;
+    }
+    setSmoothingWidth();
+
+    scalarField volume(mesh_.nCells(), Zero);
+    for (const dustParcel& p : *this)
+    {
+        volume[p.cell()] += p.volume();
+    }
+    scalarField& alpha = alphac_.primitiveFieldRef();
+    alpha = 1 - smoothingPtr_()(volume/mesh_.V());
+    alphac_.correctBoundaryConditions();
+
+    const scalar lowest = gMin(alpha);
+    if (lowest <= 0)
+    {
+        const label celli = findMin(alpha);
+        if (celli >= 0 && alpha[celli] == lowest)
+        {
+            FatalErrorInFunction
+                << "Time " << mesh_.time().timeName() << ": the particles "
+                << "about " << mesh_.C()[celli] << " fill " << 1 - lowest
+                << " of the space, averaged over " << smoothingPtr_->width()
+                << " m: no gas is left" << exit(FatalError);
+        }
+    }
+}
+
+
+void Foam::dustCloud::closeExchange()
+{
+    for (dustParcel& p : *this)
+    {
+        exchangePtr_->respond(p.cell(), p.response(), p.mass(), p.held());
+    }
+    exchangePtr_->close
+    (
+        solution_.trackTime(),
+        rho_.primitiveField()*alphac_.primitiveField()*mesh_.V()
+    );
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::dustCloud::receive(const volVectorField& UOld)
+{
+    dem::System& system = *dem_->system;
+    const vectorField change
+    (
+        exchangePtr_->correction(U_, UOld, solution_.trackTime())
+    );
+
+    for (dustParcel& p : *this)
+    {
+        const vector impulse = p.response()*change[p.cell()];
+        exchangePtr_->got(impulse);
+
+        if (p.state() == dustParcel::airborne)
+        {
+            const std::size_t index = std::size_t(p.demIndex());
+            system.kick(index, toVec3(impulse));
+            p.U() = toVector(system.particle(index).v);
+        }
+        else if (p.state() == dustParcel::inContact)
+        {
+            p.owed() = impulse;
+        }
+    }
+    exchangePtr_->balance();
+    snapshotPtr_.reset();
+    snapshotTimeIndex_ = -1;
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,194 @@
+/*---------------------------------------------------------------------------*\
+    dustFoam: adhesive dust in ventilation ducts
+-------------------------------------------------------------------------------
+License
+    This file is part of dustFoam.
+
+    dustFoam is free software: you can redistribute it and/or modify it under
+    the terms of the GNU General Public License as published by the Free
+    Software Foundation, either version 3 of the License, or (at your option)
+    any later version.
+
+    dustFoam is distributed in the hope that it will be useful, but WITHOUT ANY
+    WARRANTY; without even the implied warranty of MERCHANTABILITY or FITNESS
+    FOR A PARTICULAR PURPOSE.  See the GNU General Public License for more
+    details.
+
+    You should have received a copy of the GNU General Public License along
+    with dustFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "momentumExchange.H"
+#include "zeroGradientFvPatchFields.H"
+
+#include <cmath>
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalar Foam::momentumExchange::implicitness
+(
+    const scalar flying,
+    const scalar held,
+    const scalar loading
+)
+{
+    // Below that the implicit part is nothing
+    const scalar least = 1e-9;
+    scalar theta = 0.5;
+
+    if (flying > least)
+    {
+        const scalar q = min(flying/max(loading, flying), 1 - 1e-15);
+        const scalar f =
+            -loading/(1 + loading)*std::expm1((1 + loading)*std::log1p(-q));
+        theta = max(theta, 1/f - 1/flying);
+    }
+    if (held > least)
+    {
+        theta = max(theta, -1/std::expm1(-min(held, scalar(500))) - 1/held);
+    }
+    return theta;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::momentumExchange::momentumExchange
+(
+    const fvMesh& mesh,
+    const diffusiveSmoothing& smoothing
+)
+:
+    mesh_(mesh),
+    smoothing_(smoothing),
+    impulse_(mesh.nCells(), Zero),
+    flying_(mesh.nCells(), Zero),
+    held_(mesh.nCells(), Zero),
+    flyingMass_(mesh.nCells(), Zero),
+    force_
+    (
+        IOobject("dustForce", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedVector(dimForce/dimVolume, Zero),
+        zeroGradientFvPatchVectorField::typeName
+    ),
+    resistance_
+    (
+        IOobject("dustResistance", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedScalar(dimDensity/dimTime, Zero)
+    ),
+    implicitness_(mesh.nCells(), 1),
+    imbalance_(0)
+{
+    reset();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::momentumExchange::reset()
+{
+    impulse_ = Zero;
+    flying_ = Zero;
+    held_ = Zero;
+    flyingMass_ = Zero;
+    givenByGas_ = Zero;
+    gotByParticles_ = Zero;
+    exchanged_ = 0;
+}
+
+
+void Foam::momentumExchange::give(const label celli, const vector& impulse)
+{
+    impulse_[celli] += impulse;
+    gotByParticles_ += impulse;
+    exchanged_ += mag(impulse);
+}
+
+
+void Foam::momentumExchange::respond
+(
+    const label celli,
+    const scalar response,
+    const scalar mass,
+    const bool held
+)
+{
+    if (held)
+    {
+        held_[celli] += response;
+    }
+    else
+    {
+        flying_[celli] += response;
+        flyingMass_[celli] += mass;
+    }
+}
+
+
+void Foam::momentumExchange::close(const scalar dt, const scalarField& gasMass)
+{
+    const scalarField& V = mesh_.V();
+
+    force_.primitiveFieldRef() = smoothing_(-impulse_/(V*dt));
+    force_.correctBoundaryConditions();
+
+    const scalarField flying(smoothing_(flying_/V));
+    const scalarField held(smoothing_(held_/V));
+    const scalarField mass(smoothing_(flyingMass_/V));
+    const scalarField gas(gasMass/V);
+
+    scalarField& resistance = resistance_.primitiveFieldRef();
+    forAll(resistance, celli)
+    {
+        implicitness_[celli] = implicitness
+        (
+            flying[celli]/gas[celli],
+            held[celli]/gas[celli],
+            mass[celli]/gas[celli]
+        );
+        resistance[celli] =
+            implicitness_[celli]*(flying[celli] + held[celli])/dt;
+    }
+    resistance_.correctBoundaryConditions();
+}
+
+
+Foam::tmp<Foam::vectorField> Foam::momentumExchange::correction
+(
+    const vectorField& U,
+    const vectorField& UOld,
+    const scalar dt
+)
+{
+    const vectorField change(U - UOld);
+    const scalarField response(mesh_.V()*dt*resistance_.primitiveField());
+
+    givenByGas_ = sum
+    (
+        response*change - dt*mesh_.V().field()*force_.primitiveField()
+    );
+    exchanged_ += sum(response*mag(U));
+
+    return smoothing_(implicitness_*change);
+}
+
+
+void Foam::momentumExchange::balance()
+{
+    reduce(givenByGas_, sumOp<vector>());
+    reduce(gotByParticles_, sumOp<vector>());
+    reduce(exchanged_, sumOp<scalar>());
+
+    if (exchanged_ > 0)
+    {
+        imbalance_ =
+            max(imbalance_, mag(givenByGas_ - gotByParticles_)/exchanged_);
+    }
+}
+
+
+
+// ************************************************************************* //
