@@ -29,7 +29,7 @@ Description
     (momentumExchange.H) and by the void fraction alphac:
 
     \verbatim
-        ddt(alphac) + div(alphac U) = 0
+        div(alphac U + (1 - alphac) Udust) = 0
         ddt(alphac U) + div(alphac U U) - div(alphac R)
             = -grad p + (force of the particles)/rho
     \endverbatim
@@ -122,6 +122,7 @@ int main(int argc, char *argv[])
             {
                 alphaGas = alphac;
                 alphacf = fvc::interpolate(alphaGas);
+                dustPhi = fvc::flux(dust.volumeFlux());
             }
             alphaPhi = alphacf*phi;
 

@@ -22,6 +22,10 @@ License
 #include "dustCloudData.H"
 #include "dustSnapshot.H"
 
+#include "fixedValueFvPatchFields.H"
+#include "wallFvPatch.H"
+#include "zeroGradientFvPatchFields.H"
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::dustCloud::prepareExchange()
@@ -35,6 +39,31 @@ void Foam::dustCloud::prepareExchange()
          || e.keyword() == "PlessisMasliyahDrag";
     }
 
+    if (twoWay_)
+    {
+        wordList types
+        (
+            mesh_.boundary().size(),
+            zeroGradientFvPatchVectorField::typeName
+        );
+        for (const fvPatch& patch : mesh_.boundary())
+        {
+            if (isA<wallFvPatch>(patch))
+            {
+                types[patch.index()] = fixedValueFvPatchVectorField::typeName;
+            }
+        }
+        volumeFluxPtr_.reset
+        (
+            new volVectorField
+            (
+                IOobject("dustVolumeFlux", mesh_.time().timeName(), mesh_),
+                mesh_,
+                dimensionedVector(dimVelocity, Zero),
+                types
+            )
+        );
+    }
     if (twoWay_ || denseDrag_)
     {
         smoothingPtr_.reset(new diffusiveSmoothing(mesh_));
@@ -76,6 +105,17 @@ void Foam::dustCloud::updateVoidFraction()
     scalarField& alpha = alphac_.primitiveFieldRef();
     alpha = 1 - smoothingPtr_()(volume/mesh_.V());
     alphac_.correctBoundaryConditions();
+
+    if (twoWay_)
+    {
+        vectorField flux(mesh_.nCells(), Zero);
+        for (const dustParcel& p : *this)
+        {
+            flux[p.cell()] += p.volume()*p.U();
+        }
+        volumeFluxPtr_->primitiveFieldRef() = smoothingPtr_()(flux/mesh_.V());
+        volumeFluxPtr_->correctBoundaryConditions();
+    }
 
     const scalar lowest = gMin(alpha);
     if (lowest <= 0)
