@@ -22,19 +22,26 @@ Application
 
 Description
     What will a pair of materials do? Collides two spheres, or a sphere and a
-    flat wall, for lists of speeds, angles and stiffness ratios chi, with the
-    contact laws of constant/dustProperties and the motion that dustFoam uses.
+    wall, flat or curved, for lists of speeds, angles and stiffness ratios chi,
+    with the contact laws of constant/dustProperties and the motion that dustFoam
+    uses.
 
     Prints for every pair a table of forces, lengths and times, how many contact
     steps are needed, and how soft the material may be made. Writes
 
     \verbatim
-    pair,chi,velocity_mps,angle_deg,restitution,contactTime_s,maxOverlap_m,outcome
+    pair,chi,velocity_mps,angle_deg,restitution,contactTime_s,maxOverlap_m,outcome,
+    tangentialRestitution,spinAfter_radps,reboundAngle_deg,reason
     \endverbatim
 
-    restitution is that of the normal velocity, 0 where the contact holds;
-    contactTime_s of a contact that holds is the time for which it was watched;
-    outcome is rebound, stick, roll or slide (see contactPair.H).
+    (in one line). restitution is that of the normal velocity, 0 where the contact
+    holds; contactTime_s of a contact that holds is the time for which it was
+    watched; outcome is rebound, stick, roll, slide or refused (see contactPair.H).
+    tangentialRestitution is that of the velocity of the centre along the wall (0
+    at normal impact), spinAfter_radps that of the (first) sphere, positive as it
+    rolls onwards; both at the end of the watch where the contact holds.
+    reboundAngle_deg is from the normal, negative where it turns back. An impact
+    that cannot be computed has nan for numbers and a reason, in quotes.
 
 Usage
     \b contactProbe [OPTIONS]
@@ -65,6 +72,7 @@ Usage
 #include "caseInput.H"
 #include "contactPair.H"
 #include "heldContact.H"
+#include "patchCurvature.H"
 #include "probeSettings.H"
 
 #include "argList.H"
@@ -210,6 +218,28 @@ void printValidity(const contactPair& p)
 }
 
 
+//- cohesivePlastic has a softening of its own
+bool softens(const contactPair& p)
+{
+    return p.settings().normal.model != "cohesivePlastic";
+}
+
+
+//- The speeds at which a normal impact is not refused
+scalarList computable(const contactPair& p, const scalarList& velocities)
+{
+    DynamicList<scalar> good;
+    for (const scalar v : velocities)
+    {
+        if (p.collide(v).outcome != contactPair::REFUSED)
+        {
+            good.append(v);
+        }
+    }
+    return scalarList(good);
+}
+
+
 //- Error of the restitution over the number of contact steps
 void printSteps(const contactPair& p, const scalarList& velocities)
 {
@@ -219,6 +249,13 @@ void printSteps(const contactPair& p, const scalarList& velocities)
     if (v.size() > 3)
     {
         v = scalarList({v.first(), v[v.size()/2], v.last()});
+    }
+
+    v = computable(p, v);
+    if (v.empty())
+    {
+        Info<< "    No impact of these can be computed" << nl;
+        return;
     }
 
     const auto withSteps = [&](const scalar steps)
@@ -275,13 +312,14 @@ void printSteps(const contactPair& p, const scalarList& velocities)
         Info<< "400 or more (some impact is close to the sticking speed)";
     }
     Info<< "; in dustProperties: " << p.time().stepsPerContact << nl;
-}
 
-
-//- cohesivePlastic has a softening of its own
-bool softens(const contactPair& p)
-{
-    return p.settings().normal.model != "cohesivePlastic";
+    const scalar fewest = dem::TimeSettings::fewestStepsWherePlastic;
+    if (!softens(p) && p.time().stepsPerContact < fewest)
+    {
+        Info<< "    WARNING: cohesivePlastic, which turns from loading to"
+            << " unloading at a kink, wants stepsPerContact " << fewest
+            << " or more" << nl;
+    }
 }
 
 
@@ -302,7 +340,11 @@ scalar advisedRatio
     {
         // the law's own pull-off force, put as that of JKR
         const scalar gamma =
-            f.realPullOff/(3*constant::mathematical::pi*f.R);
+            f.realPullOff
+           /(
+                3*constant::mathematical::pi
+               *(real.pair().wall ? real.radius() : f.R)
+            );
         all.push_back
         ({
             "pullOffOverForce",
@@ -330,14 +372,23 @@ scalar advisedRatio
         }
     }
 
+    // beyond all limits where it cannot be computed
+    const contactPair::collision impact = real.collide(fastest(settings));
     const scalar overlap =
-        real.collide(fastest(settings)).maxOverlap/(2*real.smallerRadius());
+        impact.outcome == contactPair::REFUSED
+      ? 1
+      : impact.maxOverlap/(2*real.smallerRadius());
     all.push_back
     ({
         "overlap",
         std::min(scalar(1), std::pow(overlap/limits.overlap, 2.5))
     });
-    if (print && overlap > limits.overlap)
+    if (print && impact.outcome == contactPair::REFUSED)
+    {
+        Info<< "    WARNING: even unsoftened the impact at " << fastest(settings)
+            << " m/s cannot be computed" << nl;
+    }
+    else if (print && overlap > limits.overlap)
     {
         Info<< "    WARNING: even unsoftened the overlap at "
             << fastest(settings) << " m/s is " << overlap
@@ -387,7 +438,13 @@ void printTable
     Info<< nl << series.pair.name << ": ";
     if (series.pair.wall)
     {
-        Info<< "sphere of " << 2*real.radius() << " m on a flat wall";
+        const dem::WallCurvature& k = series.pair.curvature;
+        Info<< "sphere of " << 2*real.radius() << " m on a "
+            << (k.flat() ? "flat" : "curved") << " wall";
+        if (!k.flat())
+        {
+            Info<< " (" << patchCurvature::described(k).c_str() << ")";
+        }
     }
     else
     {
@@ -422,6 +479,22 @@ void printTable
         "pull-off force F_C", "N", soft,
         [](const contactPair& p) { return p.figures(0).pullOff; }
     );
+    if (!series.pair.curvature.flat())
+    {
+        printRow
+        (
+            "  of that of a flat wall", "-", soft,
+            [](const contactPair& p)
+            {
+                return
+                    p.figures(0).pullOff
+                   /p.table().figures
+                    (
+                        p.pair().i, p.pair().j, p.radius(), 0, p.mass(), 0, 0
+                    ).pullOff;
+            }
+        );
+    }
     printRow
     (
         "contact radius a0", "m", soft,
@@ -483,6 +556,7 @@ void printTable
             // of a held contact: one period
             return
                 c.outcome == contactPair::REBOUND
+             || c.outcome == contactPair::REFUSED
               ? c.contactTime : p.figures(v).period;
         }
     );
@@ -519,6 +593,22 @@ void printTable
 
 // * * * * * * * * * * * * * * * * The Files * * * * * * * * * * * * * * * * //
 
+//- As one cell of a table
+std::string quoted(const std::string& text)
+{
+    if (text.empty())
+    {
+        return text;
+    }
+    std::string cell("\"");
+    for (const char c : text)
+    {
+        cell += c == '"' ? '\'' : c == '\n' ? ' ' : c;
+    }
+    return cell + '"';
+}
+
+
 void writeCollisions
 (
     const std::vector<pairSeries>& all,
@@ -531,7 +621,8 @@ void writeCollisions
     (
         csv,
         "pair,chi,velocity_mps,angle_deg,restitution,contactTime_s,"
-        "maxOverlap_m,outcome"
+        "maxOverlap_m,outcome,tangentialRestitution,spinAfter_radps,"
+        "reboundAngle_deg,reason"
     );
     autoPtr<csvFile> histories;
     if (withHistory)
@@ -559,10 +650,12 @@ void writeCollisions
             << padded("pair", 20).c_str()
             << setw(9) << "chi" << setw(11) << "m/s" << setw(8) << "degree"
             << setw(13) << "restitution" << setw(14) << "time [s]"
-            << setw(14) << "overlap [m]" << "  outcome" << nl;
+            << setw(14) << "overlap [m]" << setw(13) << "tangential"
+            << setw(14) << "spin [rad/s]" << "  outcome" << nl;
     }
 
-    FixedList<label, 4> count(Zero);
+    FixedList<label, 5> count(Zero);
+    string firstReason;
     std::vector<contactPair::moment> history;
 
     for (const pairSeries& series : all)
@@ -589,7 +682,14 @@ void writeCollisions
                     table
                         << series.pair.name << ',' << chi << ',' << v << ','
                         << angle << ',' << c.restitution << ',' << c.contactTime
-                        << ',' << c.maxOverlap << ',' << outcome << nl;
+                        << ',' << c.maxOverlap << ',' << outcome << ','
+                        << c.tangentialRestitution << ',' << c.spin << ','
+                        << radToDeg(c.reboundAngle) << ','
+                        << quoted(c.reason).c_str() << nl;
+                    if (firstReason.empty())
+                    {
+                        firstReason = c.reason;
+                    }
 
                     if (print)
                     {
@@ -598,6 +698,8 @@ void writeCollisions
                             << setw(13) << c.restitution
                             << setw(14) << c.contactTime
                             << setw(14) << c.maxOverlap
+                            << setw(13) << c.tangentialRestitution
+                            << setw(14) << c.spin
                             << "  " << outcome << nl;
                     }
                     for (const contactPair::moment& m : history)
@@ -617,13 +719,20 @@ void writeCollisions
     for (const auto o :
         {
             contactPair::REBOUND, contactPair::STICK,
-            contactPair::ROLL, contactPair::SLIDE
+            contactPair::ROLL, contactPair::SLIDE, contactPair::REFUSED
         })
     {
         Info<< count[o] << ' ' << contactPair::outcomeNames[o]
-            << (o == contactPair::SLIDE ? "" : ", ");
+            << (o == contactPair::REFUSED ? "" : ", ");
     }
-    Info<< nl << "    written to " << csv << nl;
+    Info<< nl;
+    if (count[contactPair::REFUSED])
+    {
+        Info<< "    WARNING: " << count[contactPair::REFUSED] << " of " << total
+            << " cannot be computed: choose a stiffer material (chi) or a lower"
+            << " velocity. The first: " << firstReason.c_str() << nl;
+    }
+    Info<< "    written to " << csv << nl;
 }
 
 
@@ -711,7 +820,13 @@ void writeForceOverlap
             scalarList turns(settings.curveOverlaps());
             if (turns.empty())
             {
-                turns = scalarList(1, p.collide(fastest(settings)).maxOverlap);
+                const auto c = p.collide(fastest(settings));
+                turns = scalarList
+                (
+                    1,
+                    c.outcome == contactPair::REFUSED
+                  ? 0.5*p.smallerRadius() : c.maxOverlap
+                );
             }
             // out to the end at last
             turns.append(-std::max(1.05*neck, 1e-6*p.radius()));
