@@ -62,8 +62,8 @@ void checkCurvature(const Walls& walls, double radius, std::int64_t id)
         (
             "patchCurvature/" + p.name, reason.str(),
             fits
-          ? "relative radii of sphere and wall whose ratio is at least 0.001"
-          : "a hollow of a radius of at least 1/0.9 of the particle's"
+          ? "relative radii whose ratio is at least 0.001, or flat"
+          : "a hollow of a radius of at least 1/0.9 of the particle's, or flat"
         );
     }
 }

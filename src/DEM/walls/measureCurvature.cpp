@@ -16,6 +16,9 @@ namespace dem
 namespace
 {
 
+// Means over neighbours: facets of a castellated and snapped mesh alternate
+constexpr int averages = 2;
+
 //- A value and the area that it stands for
 typedef std::vector<std::pair<double, double>> Weighted;
 
@@ -52,6 +55,7 @@ class Surface
         double area;
     };
     std::vector<Facet> facets_;
+    std::size_t nVertices_ = 0;
     std::map<std::pair<int, int>, std::vector<std::size_t>> edges_;
 
 public:
@@ -75,6 +79,7 @@ public:
             }
             facets_.push_back(f);
         }
+        nVertices_ = vertices.size();
     }
 
     std::size_t size() const { return facets_.size(); }
@@ -97,25 +102,67 @@ public:
         return std::atan2(f.normal.cross(o.normal).dot(along), f.normal.dot(o.normal));
     }
 
-    //- Principal curvatures of a facet, the larger size first; false if an edge is sharper than
-    //  the angle
-    bool curvatures(std::size_t k, double sharp, double& first, double& second) const
+    //- K of all facets; edged: those with an edge sharper than the angle, which have none
+    std::vector<Eigen::Matrix3d> tensors(double sharp, std::vector<char>& edged) const
     {
-        const Facet& f = facets_[k];
-        Eigen::Matrix3d tensor = Eigen::Matrix3d::Zero();
-        for (std::size_t c = 0; c < 3; ++c)
+        std::vector<Eigen::Matrix3d> result(size(), Eigen::Matrix3d::Zero());
+        edged.assign(size(), 0);
+        for (std::size_t k = 0; k < size(); ++k)
         {
-            const double angle = bend(k, c);
-            if (std::fabs(angle) > sharp) return false;
-            const Vec3 e = f.x[(c + 1)%3] - f.x[c];
-            tensor += 0.5*angle/(f.area*e.norm())*(e*e.transpose());
+            const Facet& f = facets_[k];
+            for (std::size_t c = 0; c < 3; ++c)
+            {
+                const double angle = bend(k, c);
+                edged[k] |= std::fabs(angle) > sharp;
+                const Vec3 e = f.x[(c + 1)%3] - f.x[c];
+                result[k] += 0.5*angle/(f.area*e.norm())*(e*e.transpose());
+            }
         }
-        const double trace = tensor.trace();
-        const double root = std::sqrt(std::max(0.0, 2*tensor.squaredNorm() - trace*trace));
-        first = 0.5*(trace + root);
-        second = 0.5*(trace - root);
-        if (std::fabs(second) > std::fabs(first)) std::swap(first, second);
-        return true;
+        return result;
+    }
+
+    //- The mean over all facets about the corners of each, those with sharp edges left out
+    void average(const std::vector<char>& edged, std::vector<Eigen::Matrix3d>& tensors) const
+    {
+        std::vector<std::pair<Eigen::Matrix3d, double>> corner
+        (
+            nVertices_, {Eigen::Matrix3d::Zero(), 0.0}
+        );
+        for (std::size_t k = 0; k < size(); ++k)
+        {
+            if (edged[k]) continue;
+            for (const int v : facets_[k].vertex)
+            {
+                corner[std::size_t(v)].first += facets_[k].area*tensors[k];
+                corner[std::size_t(v)].second += facets_[k].area;
+            }
+        }
+        for (std::size_t k = 0; k < size(); ++k)
+        {
+            if (edged[k]) continue;
+            Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+            double weight = 0;
+            for (const int v : facets_[k].vertex)
+            {
+                sum += corner[std::size_t(v)].first;
+                weight += corner[std::size_t(v)].second;
+            }
+            tensors[k] = sum/weight;
+        }
+    }
+
+    //- Principal curvatures in the plane of a facet, the larger size first
+    std::pair<double, double> principal(std::size_t k, const Eigen::Matrix3d& tensor) const
+    {
+        const Vec3& n = facets_[k].normal;
+        const Eigen::Matrix3d P = Eigen::Matrix3d::Identity() - n*n.transpose();
+        const Eigen::Matrix3d K = P*tensor*P;
+        const double trace = K.trace();
+        const double root = std::sqrt(std::max(0.0, 2*K.squaredNorm() - trace*trace));
+        const double high = 0.5*(trace + root), low = 0.5*(trace - root);
+        return
+            std::fabs(low) > std::fabs(high)
+          ? std::make_pair(low, high) : std::make_pair(high, low);
     }
 };
 
@@ -125,20 +172,24 @@ public:
 MeasuredCurvature measureCurvature(const Walls& walls, int patch)
 {
     const Surface surface(walls, patch);
-    const double sharp = walls.featureAngle*(1 + 1e-6)*M_PI/180;
+    const double sharp = MeasuredCurvature::sharpest*M_PI/180;
+    std::vector<char> sharpEdges;
+    std::vector<Eigen::Matrix3d> tensors = surface.tensors(sharp, sharpEdges);
+    for (int k = 0; k < averages; ++k) surface.average(sharpEdges, tensors);
+
     Weighted first, second;
     double area = 0, edged = 0;
     for (std::size_t k = 0; k < surface.size(); ++k)
     {
         area += surface.area(k);
-        double k1, k2;
-        if (!surface.curvatures(k, sharp, k1, k2))
+        if (sharpEdges[k])
         {
             edged += surface.area(k);
             continue;
         }
-        first.push_back({k1, surface.area(k)});
-        second.push_back({k2, surface.area(k)});
+        const auto curvatures = surface.principal(k, tensors[k]);
+        first.push_back({curvatures.first, surface.area(k)});
+        second.push_back({curvatures.second, surface.area(k)});
     }
 
     MeasuredCurvature result;

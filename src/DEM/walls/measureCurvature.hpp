@@ -7,7 +7,8 @@
 // phi is the angle by which the surface bends at an edge (convex positive), l and e its length
 // and direction; half of each edge belongs to either facet. The principal curvatures are the
 // eigenvalues of K that do not belong to the normal (it bends across an edge, so their
-// directions change places). On a cylinder of n facets about (pi/n)/sin(pi/n)/R, R that of the
+// directions change places), of the mean over the facets about each, twice: snapped meshes have
+// large and small angles in turn. On a cylinder of n facets about (pi/n)/sin(pi/n)/R, R that of the
 // circle through its corners.
 // Source: Cohen-Steiner & Morvan 2003, restricted normal cycle.
 // Proof: tests/unit/DEM/ellipticContact.cpp
@@ -25,17 +26,17 @@ struct MeasuredCurvature
 {
     static constexpr double tolerance = 0.15;   // of the curvature, from facet to facet
     static constexpr double leastShare = 0.8;
+    static constexpr double sharpest = 50;      // [deg]
 
     WallCurvature curvature;    // the medians over the area; flat if no facet shows any
     double share = 1;           // of the area that has it within the tolerance
-    double edged = 0;           // of the area, facets with an edge sharper than featureAngle
+    double edged = 0;           // of the area, facets with an edge sharper than that angle
 
     //- Whether it may stand for the patch
     bool trusted() const { return share >= leastShare; }
 };
 
-//- Edges sharper than walls.featureAngle (as of a cylinder of less than 12 facets) tell nothing:
-//  their facets are flat
+//- Sharper edges (as of a cylinder of less than 8 facets) tell nothing: their facets are flat
 MeasuredCurvature measureCurvature(const Walls& walls, int patch);
 
 }

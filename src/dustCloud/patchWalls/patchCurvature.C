@@ -185,7 +185,8 @@ void Foam::patchCurvature::set
                     how +=
                         ", but " + Foam::name(label(100*m.edged + 0.5))
                       + " % of the area has edges sharper than "
-                      + Foam::name(walls.featureAngle) + " degrees";
+                      + Foam::name(label(dem::MeasuredCurvature::sharpest))
+                      + " degrees";
                 }
             }
             else

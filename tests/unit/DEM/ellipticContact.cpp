@@ -216,21 +216,25 @@ dem::Walls mesh(int nu, int nv, bool closed, const std::function<Vec3(int, int)>
 }
 
 //- A cylinder about z, seen from outside (or inside), whose corners are off by a part of a facet
-dem::Walls cylinder(int n, double R, bool inside, double jitter = 0)
+dem::Walls cylinder(int n, double R, bool inside, double jitter = 0, double bumps = 0)
 {
     scene::Random random(5);
-    std::vector<double> angle(std::size_t(n*11)), height(angle.size());
+    std::vector<double> angle(std::size_t(n*11)), height(angle.size()), out(angle.size());
     for (std::size_t k = 0; k < angle.size(); ++k)
     {
         angle[k] = random.uniform(-jitter, jitter);
         height[k] = random.uniform(-jitter, jitter);
+        out[k] = 1 + random.uniform(-bumps, bumps);
     }
     return mesh(n, 10, true, [=](int u, int v)
     {
         const std::size_t k = std::size_t(11*u + v);
         const double facet = 2*formula::pi/n;
         const double t = (inside ? -1 : 1)*facet*(u + angle[k]);
-        return Vec3(R*std::cos(t), R*std::sin(t), R*facet*(v + height[k]));
+        return Vec3
+        (
+            out[k]*R*std::cos(t), out[k]*R*std::sin(t), R*facet*(v + height[k])
+        );
     });
 }
 
@@ -239,7 +243,7 @@ dem::Walls cylinder(int n, double R, bool inside, double jitter = 0)
 
 TEST(measuredCurvature, cylinders)
 {
-    for (const int n : {12, 16, 24, 90})
+    for (const int n : {8, 12, 16, 24, 90})
     {
         for (const bool inside : {false, true})
         {
@@ -252,16 +256,17 @@ TEST(measuredCurvature, cylinders)
             EXPECT_EQ(m.curvature.k2, 0);
         }
     }
-    const auto rough = dem::measureCurvature(cylinder(24, 5e-5, false, 0.03), 0);
-    EXPECT_TRUE(rough.trusted());
-    EXPECT_TRUE(close(rough.curvature.k1, 1/5e-5, 0.03));
-    EXPECT_FALSE(dem::measureCurvature(cylinder(24, 5e-5, false, 0.3), 0).trusted());
+    const auto uneven = dem::measureCurvature(cylinder(24, 5e-5, false, 0.3), 0);
+    EXPECT_TRUE(uneven.trusted());
+    EXPECT_TRUE(close(uneven.curvature.k1, 1/5e-5, 0.03));
+    EXPECT_EQ(uneven.curvature.k2, 0);
+    EXPECT_FALSE(dem::measureCurvature(cylinder(24, 5e-5, false, 0, 0.05), 0).trusted());
 }
 
 
 TEST(measuredCurvature, prismsAndPlanesAreFlat)
 {
-    for (const int n : {4, 8, 11})
+    for (const int n : {4, 6, 7})
     {
         const auto m = dem::measureCurvature(cylinder(n, 5e-5, false), 0);
         EXPECT_TRUE(m.trusted());
