@@ -41,7 +41,7 @@ Description
     at normal impact), spinAfter_radps that of the (first) sphere, positive as it
     rolls onwards; both at the end of the watch where the contact holds.
     reboundAngle_deg is from the normal, negative where it turns back. An impact
-    that cannot be computed has nan for numbers and a reason, in quotes.
+    that cannot be computed has nan for numbers; reason says why, else none.
 
 Usage
     \b contactProbe [OPTIONS]
@@ -593,19 +593,15 @@ void printTable
 
 // * * * * * * * * * * * * * * * * The Files * * * * * * * * * * * * * * * * //
 
-//- As one cell of a table
-std::string quoted(const std::string& text)
+//- As one cell of a table that is read by commas and lines
+std::string cell(const std::string& text)
 {
-    if (text.empty())
-    {
-        return text;
-    }
-    std::string cell("\"");
+    std::string result;
     for (const char c : text)
     {
-        cell += c == '"' ? '\'' : c == '\n' ? ' ' : c;
+        result += c == ',' ? ';' : c == '\n' ? ' ' : c;
     }
-    return cell + '"';
+    return result.empty() ? "none" : result;
 }
 
 
@@ -685,7 +681,7 @@ void writeCollisions
                         << ',' << c.maxOverlap << ',' << outcome << ','
                         << c.tangentialRestitution << ',' << c.spin << ','
                         << radToDeg(c.reboundAngle) << ','
-                        << quoted(c.reason).c_str() << nl;
+                        << cell(c.reason).c_str() << nl;
                     if (firstReason.empty())
                     {
                         firstReason = c.reason;
