@@ -22,19 +22,26 @@ Application
 
 Description
     What will a pair of materials do? Collides two spheres, or a sphere and a
-    flat wall, for lists of speeds, angles and stiffness ratios chi, with the
-    contact laws of constant/dustProperties and the motion that dustFoam uses.
+    wall, flat or curved, for lists of speeds, angles and stiffness ratios chi,
+    with the contact laws of constant/dustProperties and the motion that dustFoam
+    uses.
 
     Prints for every pair a table of forces, lengths and times, how many contact
     steps are needed, and how soft the material may be made. Writes
 
     \verbatim
-    pair,chi,velocity_mps,angle_deg,restitution,contactTime_s,maxOverlap_m,outcome
+    pair,chi,velocity_mps,angle_deg,restitution,contactTime_s,maxOverlap_m,outcome,
+    tangentialRestitution,spinAfter_radps,reboundAngle_deg,reason
     \endverbatim
 
-    restitution is that of the normal velocity, 0 where the contact holds;
-    contactTime_s of a contact that holds is the time for which it was watched;
-    outcome is rebound, stick, roll or slide (see contactPair.H).
+    (in one line). restitution is that of the normal velocity, 0 where the contact
+    holds; contactTime_s of a contact that holds is the time for which it was
+    watched; outcome is rebound, stick, roll, slide or refused (see contactPair.H).
+    tangentialRestitution is that of the velocity of the centre along the wall (0
+    at normal impact), spinAfter_radps that of the (first) sphere, positive as it
+    rolls onwards; both at the end of the watch where the contact holds.
+    reboundAngle_deg is from the normal, negative where it turns back. An impact
+    that cannot be computed has nan for numbers; reason says why, else none.
 
 Usage
     \b contactProbe [OPTIONS]
@@ -65,21 +72,22 @@ Usage
 #include "caseInput.H"
 #include "contactPair.H"
 #include "heldContact.H"
+#include "patchCurvature.H"
+#include "probeFiles.H"
 #include "probeSettings.H"
 
 #include "argList.H"
 #include "IOmanip.H"
 #include "mathematicalConstants.H"
-#include "OFstream.H"
 #include "OSspecific.H"
 #include "Time.H"
-#include "unitConversion.H"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 
 using namespace Foam;
+using namespace Foam::probeFiles;
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -89,71 +97,8 @@ namespace
 // Error of the restitution that the advice on contact steps allows
 constexpr scalar restitutionError = 0.002;
 
-// Collisions that are printed, and not only written
-constexpr label mostPrinted = 40;
-
-
-//- All that belongs to one pair: the pair at every chi, and at chi = 1
-struct pairSeries
-{
-    probeSettings::pair pair;
-    std::vector<contactPair> soft;
-    std::vector<contactPair> real;      // one entry
-};
-
-
-class csvFile
-{
-    OFstream os_;
-
-public:
-
-    csvFile(const fileName& name, const char* header)
-    :
-        os_(name)
-    {
-        if (!os_.good())
-        {
-            FatalErrorInFunction
-                << "Cannot write " << name << exit(FatalError);
-        }
-        os_.precision(9);
-        os_ << header << nl;
-    }
-
-    template<class Type>
-    csvFile& operator<<(const Type& value)
-    {
-        os_ << value;
-        return *this;
-    }
-};
-
-
-//- `base` of FILE as base.csv
-fileName beside(const fileName& csv, const char* what)
-{
-    return csv.lessExt() + "_" + what + ".csv";
-}
-
-
-scalar fastest(const probeSettings& settings)
-{
-    return *std::max_element
-    (
-        settings.velocities().begin(), settings.velocities().end()
-    );
-}
-
 
 // * * * * * * * * * * * * * * * * The Table * * * * * * * * * * * * * * * * //
-
-//- Text with blanks up to a width
-string padded(const std::string& text, const std::size_t width)
-{
-    return text + std::string(width > text.size() ? width - text.size() : 1, ' ');
-}
-
 
 void printRow
 (
@@ -210,6 +155,28 @@ void printValidity(const contactPair& p)
 }
 
 
+//- cohesivePlastic has a softening of its own
+bool softens(const contactPair& p)
+{
+    return p.settings().normal.model != "cohesivePlastic";
+}
+
+
+//- The speeds at which a normal impact is not refused
+scalarList computable(const contactPair& p, const scalarList& velocities)
+{
+    DynamicList<scalar> good;
+    for (const scalar v : velocities)
+    {
+        if (p.collide(v).outcome != contactPair::REFUSED)
+        {
+            good.append(v);
+        }
+    }
+    return scalarList(good);
+}
+
+
 //- Error of the restitution over the number of contact steps
 void printSteps(const contactPair& p, const scalarList& velocities)
 {
@@ -219,6 +186,13 @@ void printSteps(const contactPair& p, const scalarList& velocities)
     if (v.size() > 3)
     {
         v = scalarList({v.first(), v[v.size()/2], v.last()});
+    }
+
+    v = computable(p, v);
+    if (v.empty())
+    {
+        Info<< "    No impact of these can be computed" << nl;
+        return;
     }
 
     const auto withSteps = [&](const scalar steps)
@@ -275,13 +249,14 @@ void printSteps(const contactPair& p, const scalarList& velocities)
         Info<< "400 or more (some impact is close to the sticking speed)";
     }
     Info<< "; in dustProperties: " << p.time().stepsPerContact << nl;
-}
 
-
-//- cohesivePlastic has a softening of its own
-bool softens(const contactPair& p)
-{
-    return p.settings().normal.model != "cohesivePlastic";
+    const scalar fewest = dem::TimeSettings::fewestStepsWherePlastic;
+    if (!softens(p) && p.time().stepsPerContact < fewest)
+    {
+        Info<< "    WARNING: cohesivePlastic, which turns from loading to"
+            << " unloading at a kink, wants stepsPerContact " << fewest
+            << " or more" << nl;
+    }
 }
 
 
@@ -302,7 +277,11 @@ scalar advisedRatio
     {
         // the law's own pull-off force, put as that of JKR
         const scalar gamma =
-            f.realPullOff/(3*constant::mathematical::pi*f.R);
+            f.realPullOff
+           /(
+                3*constant::mathematical::pi
+               *(real.pair().wall ? real.radius() : f.R)
+            );
         all.push_back
         ({
             "pullOffOverForce",
@@ -330,14 +309,23 @@ scalar advisedRatio
         }
     }
 
+    // beyond all limits where it cannot be computed
+    const contactPair::collision impact = real.collide(fastest(settings));
     const scalar overlap =
-        real.collide(fastest(settings)).maxOverlap/(2*real.smallerRadius());
+        impact.outcome == contactPair::REFUSED
+      ? 1
+      : impact.maxOverlap/(2*real.smallerRadius());
     all.push_back
     ({
         "overlap",
         std::min(scalar(1), std::pow(overlap/limits.overlap, 2.5))
     });
-    if (print && overlap > limits.overlap)
+    if (print && impact.outcome == contactPair::REFUSED)
+    {
+        Info<< "    WARNING: even unsoftened the impact at " << fastest(settings)
+            << " m/s cannot be computed" << nl;
+    }
+    else if (print && overlap > limits.overlap)
     {
         Info<< "    WARNING: even unsoftened the overlap at "
             << fastest(settings) << " m/s is " << overlap
@@ -387,7 +375,13 @@ void printTable
     Info<< nl << series.pair.name << ": ";
     if (series.pair.wall)
     {
-        Info<< "sphere of " << 2*real.radius() << " m on a flat wall";
+        const dem::WallCurvature& k = series.pair.curvature;
+        Info<< "sphere of " << 2*real.radius() << " m on a "
+            << (k.flat() ? "flat" : "curved") << " wall";
+        if (!k.flat())
+        {
+            Info<< " (" << patchCurvature::described(k).c_str() << ")";
+        }
     }
     else
     {
@@ -422,6 +416,22 @@ void printTable
         "pull-off force F_C", "N", soft,
         [](const contactPair& p) { return p.figures(0).pullOff; }
     );
+    if (!series.pair.curvature.flat())
+    {
+        printRow
+        (
+            "  of that of a flat wall", "-", soft,
+            [](const contactPair& p)
+            {
+                return
+                    p.figures(0).pullOff
+                   /p.table().figures
+                    (
+                        p.pair().i, p.pair().j, p.radius(), 0, p.mass(), 0, 0
+                    ).pullOff;
+            }
+        );
+    }
     printRow
     (
         "contact radius a0", "m", soft,
@@ -483,6 +493,7 @@ void printTable
             // of a held contact: one period
             return
                 c.outcome == contactPair::REBOUND
+             || c.outcome == contactPair::REFUSED
               ? c.contactTime : p.figures(v).period;
         }
     );
@@ -513,308 +524,6 @@ void printTable
     if (softens(real))
     {
         advisedRatio(real, settings, limits, true);
-    }
-}
-
-
-// * * * * * * * * * * * * * * * * The Files * * * * * * * * * * * * * * * * //
-
-void writeCollisions
-(
-    const std::vector<pairSeries>& all,
-    const probeSettings& settings,
-    const fileName& csv,
-    const bool withHistory
-)
-{
-    csvFile table
-    (
-        csv,
-        "pair,chi,velocity_mps,angle_deg,restitution,contactTime_s,"
-        "maxOverlap_m,outcome"
-    );
-    autoPtr<csvFile> histories;
-    if (withHistory)
-    {
-        histories.reset
-        (
-            new csvFile
-            (
-                beside(csv, "history"),
-                "pair,chi,velocity_mps,angle_deg,time_s,overlap_m,"
-                "closingSpeed_mps,normalForce_N,slip_m,roll_m"
-            )
-        );
-    }
-
-    const label total =
-        all.size()*all.front().soft.size()
-       *settings.velocities().size()*settings.angles().size();
-    const bool print = total <= mostPrinted;
-
-    Info<< nl << total << " collisions";
-    if (print)
-    {
-        Info<< ":" << nl << "    "
-            << padded("pair", 20).c_str()
-            << setw(9) << "chi" << setw(11) << "m/s" << setw(8) << "degree"
-            << setw(13) << "restitution" << setw(14) << "time [s]"
-            << setw(14) << "overlap [m]" << "  outcome" << nl;
-    }
-
-    FixedList<label, 4> count(Zero);
-    std::vector<contactPair::moment> history;
-
-    for (const pairSeries& series : all)
-    {
-        for (const contactPair& p : series.soft)
-        {
-            const scalar chi = p.constants().chi;
-            for (const scalar v : settings.velocities())
-            {
-                for (const scalar angle : settings.angles())
-                {
-                    history.clear();
-                    const contactPair::collision c = p.collide
-                    (
-                        v,
-                        degToRad(angle),
-                        settings.tangentialForce(),
-                        settings.duration(),
-                        withHistory ? &history : nullptr
-                    );
-                    const word outcome(contactPair::outcomeNames[c.outcome]);
-                    ++count[c.outcome];
-
-                    table
-                        << series.pair.name << ',' << chi << ',' << v << ','
-                        << angle << ',' << c.restitution << ',' << c.contactTime
-                        << ',' << c.maxOverlap << ',' << outcome << nl;
-
-                    if (print)
-                    {
-                        Info<< "    " << padded(series.pair.name, 20).c_str()
-                            << setw(9) << chi << setw(11) << v << setw(8) << angle
-                            << setw(13) << c.restitution
-                            << setw(14) << c.contactTime
-                            << setw(14) << c.maxOverlap
-                            << "  " << outcome << nl;
-                    }
-                    for (const contactPair::moment& m : history)
-                    {
-                        *histories
-                            << series.pair.name << ',' << chi << ',' << v << ','
-                            << angle << ',' << m.time << ',' << m.overlap << ','
-                            << m.closingSpeed << ',' << m.normalForce << ','
-                            << m.slip << ',' << m.roll << nl;
-                    }
-                }
-            }
-        }
-    }
-
-    Info<< (print ? "    " : ": ");
-    for (const auto o :
-        {
-            contactPair::REBOUND, contactPair::STICK,
-            contactPair::ROLL, contactPair::SLIDE
-        })
-    {
-        Info<< count[o] << ' ' << contactPair::outcomeNames[o]
-            << (o == contactPair::SLIDE ? "" : ", ");
-    }
-    Info<< nl << "    written to " << csv << nl;
-}
-
-
-void writeSticking
-(
-    const std::vector<pairSeries>& all,
-    const fileName& csv
-)
-{
-    const fileName name(beside(csv, "sticking"));
-    csvFile table(name, "pair,chi,stickingSpeed_mps,lambda,Ad,lambdaOverAd52");
-
-    Info<< nl << "Sticking speed, normal impact:" << nl;
-    for (const pairSeries& series : all)
-    {
-        for (const contactPair& p : series.soft)
-        {
-            const scalar v = p.stickingSpeed();
-            const dem::PairConstants& c = p.constants();
-
-            Info<< "    " << padded(series.pair.name, 20).c_str() << "chi" << setw(10)
-                << c.chi << ": ";
-            if (v == 0)
-            {
-                Info<< "never sticks" << nl;
-                table << series.pair.name << ',' << c.chi << ",0,inf,inf,nan" << nl;
-                continue;
-            }
-            if (v < 0)
-            {
-                Info<< "sticks at every speed that can be computed" << nl;
-                table << series.pair.name << ',' << c.chi << ",inf,0,0,nan" << nl;
-                continue;
-            }
-
-            const scalar rho =
-                p.table().materials()[std::size_t(p.pair().i)].density;
-            const scalar lambda = c.E/(rho*v*v);
-            const scalar Ad =
-                p.pair().wall
-              ? 3*c.gamma/(rho*v*v*p.radius())
-              : c.gamma/(rho*v*v*p.figures(0).R);
-            Info<< v << " m/s";
-            table << series.pair.name << ',' << c.chi << ',' << v << ',';
-            if (Ad > 0)
-            {
-                const scalar factor = lambda/std::pow(Ad, 2.5);
-                Info<< ", lambda " << lambda << ", Ad " << Ad
-                    << ", lambda/Ad^(5/2) " << factor << nl;
-                table << lambda << ',' << Ad << ',' << factor << nl;
-            }
-            else
-            {
-                // an attraction that does not come from surface energy
-                Info<< nl;
-                table << lambda << ",0,nan" << nl;
-            }
-        }
-    }
-    Info<< "    (lambda = E/(rho v^2); Ad = 3 gamma/(rho v^2 r) on a wall,"
-        << " gamma/(rho v^2 R) for two spheres)" << nl
-        << "    written to " << name << nl;
-}
-
-
-//- The slow load cycle: on from turning point to turning point
-void writeForceOverlap
-(
-    const std::vector<pairSeries>& all,
-    const probeSettings& settings,
-    const fileName& csv
-)
-{
-    const fileName name(beside(csv, "forceOverlap"));
-    csvFile table(name, "pair,chi,branch,overlap_m,force_N");
-
-    for (const pairSeries& series : all)
-    {
-        for (const contactPair& p : series.soft)
-        {
-            heldContact contact(p, fastest(settings));
-            const scalar touch = p.touchGap();
-            const scalar neck = std::max(p.figures(0).deltaC, touch);
-
-            scalarList turns(settings.curveOverlaps());
-            if (turns.empty())
-            {
-                turns = scalarList(1, p.collide(fastest(settings)).maxOverlap);
-            }
-            // out to the end at last
-            turns.append(-std::max(1.05*neck, 1e-6*p.radius()));
-
-            bool touching;
-            scalar now = -touch;
-            scalar before = 0;
-            label branch = 0;
-            const auto write = [&](const scalar overlap, const scalar force)
-            {
-                table
-                    << series.pair.name << ',' << p.constants().chi << ','
-                    << branch << ',' << overlap << ',' << force << nl;
-                before = overlap;
-            };
-            write(now, 0);
-            for (const scalar to : turns)
-            {
-                const label n = settings.curvePoints();
-                for (label k = (branch ? 1 : 0); k <= n; ++k)
-                {
-                    // denser towards the turning point where the contact
-                    // opens, as the neck's end is steep
-                    const scalar s = scalar(k)/n;
-                    const scalar overlap = std::max
-                    (
-                        now + (to - now)*(to < now ? s*(2 - s) : s),
-                        branch || touch > 0 ? -1e300 : 1e-12*p.radius()
-                    );
-                    const scalar force = contact.press(overlap, touching);
-                    if (!touching)
-                    {
-                        // the jump to nothing
-                        write(before, 0);
-                        break;
-                    }
-                    write(overlap, force);
-                }
-                now = to;
-                ++branch;
-                if (!touching) break;
-            }
-        }
-    }
-    Info<< "    written to " << name << nl;
-}
-
-
-void writeResistance
-(
-    const std::vector<pairSeries>& all,
-    const probeSettings& settings,
-    const heldContact::motionType motion,
-    const fileName& csv
-)
-{
-    const word& what = heldContact::motionNames[motion];
-    const fileName name(beside(csv, what.c_str()));
-    autoPtr<csvFile> table;
-
-    for (const pairSeries& series : all)
-    {
-        for (const contactPair& p : series.soft)
-        {
-            heldContact contact(p, fastest(settings));
-            const heldContact::resistance r = contact.limit(motion);
-            if (!(r.stiffness > 0))
-            {
-                continue;
-            }
-            if (!table.valid())
-            {
-                table.reset
-                (
-                    new csvFile
-                    (
-                        name,
-                        motion == heldContact::SLIDING
-                      ? "pair,chi,displacement_m,force_N"
-                      : motion == heldContact::ROLLING
-                      ? "pair,chi,displacement_m,moment_Nm"
-                      : "pair,chi,angle_rad,moment_Nm"
-                    )
-                );
-            }
-
-            const auto curve = contact.cycle
-            (
-                motion,
-                r.limit > 0 ? 2.5*r.displacement : 0.01*p.radius(),
-                settings.curvePoints()
-            );
-            for (const heldContact::point& x : curve)
-            {
-                *table
-                    << series.pair.name << ',' << p.constants().chi << ','
-                    << x.displacement << ',' << x.load << nl;
-            }
-        }
-    }
-    if (table.valid())
-    {
-        Info<< "    written to " << name << nl;
     }
 }
 

@@ -6,6 +6,7 @@
 #include "contactModels/contactModel/none.hpp"
 #include "particles/errors.hpp"
 #include "timeIntegration/contactPeriod.hpp"
+#include "walls/Walls.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -230,16 +231,30 @@ double MaterialTable::touchDistance(int i, int j) const
 }
 
 
+double MaterialTable::wallRadius
+(
+    int i, int j, const WallCurvature& curvature, double r
+) const
+{
+    if (curvature.flat()) return r;
+    return laws_[std::size_t(lawIndex(i, j))]->effectiveRadius
+    (
+        curvature.smaller(r), curvature.larger(r)
+    );
+}
+
+
 ContactFigures MaterialTable::figures
 (
-    int i, int j, double ri, double rj, double mi, double mj, double speed
+    int i, int j, double ri, double rj, double mi, double mj, double speed,
+    const WallCurvature& curvature
 ) const
 {
     const PairConstants& p = constants(i, j);
     const ContactLaw& law = *laws_[std::size_t(lawIndex(i, j))];
 
     ContactFigures f;
-    f.R = rj > 0 ? ri*rj/(ri + rj) : ri;
+    f.R = rj > 0 ? ri*rj/(ri + rj) : wallRadius(i, j, curvature, ri);
     f.m = rj > 0 ? mi*mj/(mi + mj) : mi;
     const int pair = pairInLaw(i, j);
     f.pullOff = law.pullOff(pair, p, f.R);
@@ -252,7 +267,7 @@ ContactFigures MaterialTable::figures
     (
         4*f.R*p.realGamma*p.realGamma/(p.realE*p.realE*atomic*atomic*atomic)
     );
-    const ContactScale scale{p, f.R, f.m};
+    const ContactScale scale{p, f.R, f.m, rj > 0 ? f.R : ri};
     double c[maxConstants];
     law.prepare(pair, scale, c);
     const double turning = 1.25*(1/(mi*ri) + (rj > 0 ? 1/(mj*rj) : 0));
@@ -273,20 +288,24 @@ ContactFigures MaterialTable::figures
 }
 
 
-double MaterialTable::reach(int material, double radius) const
+double MaterialTable::reach(int material, double radius, const Walls& walls) const
 {
     double longest = 0;
+    const auto reachTo = [&](int j, double R)
+    {
+        const ContactLaw& law = *laws_[std::size_t(lawIndex(material, j))];
+        return law.reach(pairInLaw(material, j), constants(material, j), R);
+    };
     for (int j = 0; j < int(materials_.size()); ++j)
     {
-        // the neck grows with R^(1/3); R is largest on a wall
-        const PairConstants& p = constants(material, j);
-        const ContactLaw& law = *laws_[std::size_t(lawIndex(material, j))];
-        longest = std::max
-        ({
-            longest,
-            law.reach(pairInLaw(material, j), p, radius),
-            touchDistance(material, j)
-        });
+        // the neck grows with R^(1/3); R is largest on a wall, and larger in a hollow
+        longest = std::max({longest, reachTo(j, radius), touchDistance(material, j)});
+    }
+    for (const WallPatch& p : walls.patches)
+    {
+        if (!p.curvature || p.curvature->flat()) continue;
+        const double R = wallRadius(material, p.material, *p.curvature, radius);
+        if (R > radius) longest = std::max(longest, reachTo(p.material, R));
     }
     return longest;
 }

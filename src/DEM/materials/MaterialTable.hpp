@@ -7,6 +7,7 @@
 #include "materials/ContactSettings.hpp"
 #include "materials/Material.hpp"
 #include "reducedStiffness/ReducedStiffness.hpp"
+#include "walls/WallCurvature.hpp"
 
 #include <cmath>
 #include <map>
@@ -99,15 +100,20 @@ public:
     //- Contacts of the pair begin at this gap of the surfaces [m]
     double touchDistance(int i, int j) const;
 
-    //- Figures for radii ri, rj (rj <= 0: flat wall) and relative speed [m/s].
+    //- Effective radius [m] of a sphere of material i and radius r on a wall of material j;
+    //  flat: r itself
+    double wallRadius(int i, int j, const WallCurvature& curvature, double r) const;
+
+    //- Figures for radii ri, rj (rj <= 0: wall of that curvature) and relative speed [m/s].
     ContactFigures figures
     (
-        int i, int j, double ri, double rj, double mi, double mj, double speed
+        int i, int j, double ri, double rj, double mi, double mj, double speed,
+        const WallCurvature& curvature = {}
     ) const;
 
     //- Farthest distance beyond touch at which some contact of a sphere of radius r can
-    //  still hold (the longest neck) [m]
-    double reach(int material, double radius) const;
+    //  still hold (the longest neck) [m], with spheres and these walls
+    double reach(int material, double radius, const Walls& walls) const;
 
 private:
 

@@ -834,7 +834,8 @@ void System::Implementation::integrate
     for (const Member& m : members)
     {
         const double half =
-            m.p.radius + materials.reach(m.p.material, m.p.radius) + m.corridor.width(dt);
+            m.p.radius + materials.reach(m.p.material, m.p.radius, walls.walls())
+          + m.corridor.width(dt);
         const Vec3 end = m.p.x + dt*m.corridor.v;
         walls.query
         (
@@ -1326,6 +1327,7 @@ std::size_t System::add(const Particle& p)
     {
         throw inputError("material", name, "an index into the materials");
     }
+    checkCurvature(walls(), p.radius, p.id);
     if (p.id < 0 || !impl_->indexOf.emplace(p.id, size()).second)
     {
         throw inputError("id", name + " is there already", "unique numbers, 0 or more");
@@ -1341,7 +1343,7 @@ std::size_t System::add(const Particle& p)
     impl_->gas.emplace_back();
     impl_->rest.emplace_back();
     impl_->exchange.emplace_back();
-    impl_->reach.push_back(materials().reach(p.material, p.radius));
+    impl_->reach.push_back(materials().reach(p.material, p.radius, walls()));
     impl_->contacts.emplace_back();
     return size() - 1;
 }
@@ -1493,12 +1495,14 @@ std::vector<ContactView> System::contacts() const
             const ContactLaw& law =
                 *s.materials.laws()[std::size_t(s.materials.lawIndex(p.material, mj))];
             const double R =
-                wall ? p.radius : p.radius*q.radius/(p.radius + q.radius);
+                wall
+              ? s.materials.wallRadius(p.material, mj, walls().curvature(c.wall), p.radius)
+              : p.radius*q.radius/(p.radius + q.radius);
             const double m = wall ? p.mass : p.mass*q.mass/(p.mass + q.mass);
             double constants[maxConstants];
             law.prepare
             (
-                s.materials.pairInLaw(p.material, mj), {pair, R, m}, constants
+                s.materials.pairInLaw(p.material, mj), {pair, R, m, wall ? p.radius : R}, constants
             );
 
             // the kernels work on a copy of the history

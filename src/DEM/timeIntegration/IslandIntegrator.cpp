@@ -134,7 +134,7 @@ void IslandIntegrator::addParticle
     gas_.push_back(g);
     rest_.push_back(rest);
     impulse_.push_back(Vec3::Zero());
-    reach_.push_back(materials_.reach(p.material, p.radius));
+    reach_.push_back(materials_.reach(p.material, p.radius, wallSearch_.walls()));
     stored_.emplace_back();
     surfaceEnd_.push_back(surfaces_.size());
 }
@@ -163,7 +163,10 @@ std::vector<ContactRecord> IslandIntegrator::contacts(int i) const
 
 // * * * * * * * * * * * * * * * * * Contacts * * * * * * * * * * * * * * * * * * * * * //
 
-void IslandIntegrator::contactConstants(int i, int j, int materialJ, double* c) const
+void IslandIntegrator::contactConstants
+(
+    int i, int j, int patch, int materialJ, double* c
+) const
 {
     const Particle& p = particles_[std::size_t(i)];
     const int mi = p.material;
@@ -173,6 +176,14 @@ void IslandIntegrator::contactConstants(int i, int j, int materialJ, double* c) 
         const Particle& q = particles_[std::size_t(j)];
         scale.R = p.radius*q.radius/(p.radius + q.radius);
         scale.m = p.mass*q.mass/(p.mass + q.mass);
+    }
+    else
+    {
+        scale.rolling = p.radius;
+        scale.R = materials_.wallRadius
+        (
+            mi, materialJ, wallSearch_.walls().curvature(patch), p.radius
+        );
     }
     materials_.laws()[std::size_t(materials_.lawIndex(mi, materialJ))]->prepare
     (
@@ -203,7 +214,10 @@ void IslandIntegrator::begin
     e.materialJ = mj;
     if (wall)
     {
-        e.R = p.radius;
+        e.R = materials_.wallRadius
+        (
+            p.material, mj, wallSearch_.walls().curvature(patch), p.radius
+        );
         e.m = p.mass;
         e.turning = 0.5*bi.r*bi.invI;
     }
@@ -218,13 +232,13 @@ void IslandIntegrator::begin
     }
     const int pairInLaw = materials_.pairInLaw(p.material, mj);
     double constants[maxConstants];
-    contactConstants(i, j, mj, constants);
+    contactConstants(i, j, patch, mj, constants);
     e.neck = law.reach(pairInLaw, pair, e.R);
     // dashpots begin with the spot, which a neck keeps to its end
     e.edge = law.touchDistance(pairInLaw, pair) > 0 ? 0 : -e.neck;
     e.pullOff = law.pullOff(pairInLaw, pair, e.R);
     e.a0 = law.equilibriumRadius(pairInLaw, pair, e.R);
-    e.yield = law.rollingYield(constants, e.R);
+    e.yield = law.rollingYield(constants, wall ? p.radius : e.R);
 
     int tag;
     if (freeEntries_.empty())
@@ -740,7 +754,7 @@ Load IslandIntegrator::storedLoad(int i)
         const ContactLaw& law =
             *materials_.laws()[std::size_t(materials_.lawIndex(p.material, mj))];
         double c[maxConstants];
-        contactConstants(lower, s.j, mj, c);
+        contactConstants(lower, s.j, s.record.wall, mj, c);
 
         scratch_.setUp(law.nConstants(), law.nHistory(), wall);
         scratch_.append(0, wall ? s.record.wall : 1, 0, c, s.record.history);
@@ -1729,7 +1743,8 @@ double IslandIntegrator::stiffestStep(double speed) const
                 shortest,
                 materials_.figures
                 (
-                    p->material, w.material, p->radius, -1, p->mass, 0, speed
+                    p->material, w.material, p->radius, -1, p->mass, 0, speed,
+                    w.curvature.value_or(WallCurvature())
                 ).period
             );
         }

@@ -226,7 +226,7 @@ private:
     };
 
     // Contacts
-    void contactConstants(int i, int j, int materialJ, double* c) const;
+    void contactConstants(int i, int j, int patch, int materialJ, double* c) const;
     void begin(int i, int j, int patch, int candidate, const ContactRecord* record);
     void remove(ContactList& list, std::size_t k);
     void store(const ContactList& list, std::size_t k, bool wall);

@@ -82,6 +82,7 @@ WallSearch::WallSearch(Walls walls)
     walls_(std::move(walls)),
     cosFeature_(std::cos(walls_.featureAngle*M_PI/180))
 {
+    deriveCurvature(walls_);
     const auto checkPatch = [&](int patch)
     {
         if (patch < 0 || patch >= int(walls_.patches.size()))

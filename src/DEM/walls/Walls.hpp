@@ -10,7 +10,9 @@
 #pragma once
 
 #include "particles/vector.hpp"
+#include "walls/WallCurvature.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +33,10 @@ struct WallPatch
 {
     std::string name;
     int material;       // index into MaterialTable::materials()
+
+    //- What contacts adhere by, all over the patch. Not given: that of its shapes, where they
+    //  are analytic and alike; else flat
+    std::optional<WallCurvature> curvature = {};
 };
 
 //- Wall description, plain data; the search structure is the System's own
@@ -44,6 +50,12 @@ struct Walls
     double featureAngle = 30;               // [deg] an edge sharper than this is a feature
 
     const std::string& patchName(int patch) const { return patches[std::size_t(patch)].name; }
+    const WallCurvature& curvature(int patch) const
+    {
+        static constexpr WallCurvature flat;
+        const auto& given = patches[std::size_t(patch)].curvature;
+        return given ? *given : flat;
+    }
     bool empty() const;
 };
 

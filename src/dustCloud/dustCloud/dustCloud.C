@@ -556,10 +556,18 @@ Foam::dustCloud::dustCloud
     }
     readSizes();
 
-    // Softest particles that keep to the limits
     if (d.properties.automaticRatio())
     {
         d.properties.setRatio(1);
+    }
+    dem::Walls walls
+    (
+        patchWalls::New(mesh_, particleProperties_, d.properties.table())
+    );
+
+    // Softest particles that keep to the limits
+    if (d.properties.automaticRatio())
+    {
         const dem::MaterialTable real = d.properties.table();
         const int dust = real.index(d.properties.dustMaterial());
         const auto& limits = d.properties.limits();
@@ -574,12 +582,31 @@ Foam::dustCloud::dustCloud
         {
             const bool wall = i != dust;
 
+            // The thinnest wire holds least, and is pressed deepest
+            dem::WallCurvature thinnest;
+            const auto radiusOn = [&](const dem::WallCurvature& curvature)
+            {
+                return real.wallRadius(dust, i, curvature, 0.5*diameter);
+            };
+            for (const dem::WallPatch& patch : walls.patches)
+            {
+                if
+                (
+                    wall && patch.material == i && patch.curvature
+                 && radiusOn(*patch.curvature) < radiusOn(thinnest)
+                )
+                {
+                    thinnest = *patch.curvature;
+                }
+            }
+
             ratio = max
             (
                 ratio,
                 dem::softestRatioForMargin
                 (
-                    real.constants(dust, i).realGamma,
+                    real.constants(dust, i).realGamma
+                   *(radiusOn(thinnest)/(0.5*diameter)),
                     d.gasViscosity,
                     max(d.gasSpeed, VSMALL),
                     limits.pullOffOverForce,
@@ -596,7 +623,8 @@ Foam::dustCloud::dustCloud
                 wall ? -1 : 0.5*diameter,
                 mass,
                 wall ? 0 : mass,
-                max(d.gasSpeed, VSMALL)
+                max(d.gasSpeed, VSMALL),
+                thinnest
             );
             ratio = max
             (
@@ -619,15 +647,12 @@ Foam::dustCloud::dustCloud
             )
         );
         d.material = d.system->materials().index(d.properties.dustMaterial());
-        d.system->setWalls
-        (
-            patchWalls::New
-            (
-                mesh_,
-                particleProperties_,
-                d.system->materials()
-            )
-        );
+        d.system->setWalls(std::move(walls));
+        if (d.diameters[2] > 0)
+        {
+            // the largest fits least
+            dem::checkCurvature(d.system->walls(), 0.5*d.diameters[2], -1);
+        }
     }
     catch (const dem::inputError& e)
     {

@@ -20,6 +20,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "dustCloudData.H"
+#include "patchCurvature.H"
 #include "dustSnapshot.H"
 
 #include "InjectionModelList.H"
@@ -138,24 +139,39 @@ void Foam::dustCloud::printMaterials() const
 
     for (int i = 0; i < int(table.materials().size()); ++i)
     {
-        // Wall materials: those of the patches
-        bool onWall = false;
+        // Wall materials: those of the patches, each curved one for itself
+        struct partner
+        {
+            bool wall;
+            std::string name;
+            dem::WallCurvature curvature;
+        };
+        std::vector<partner> partners;
+        if (i == dust)
+        {
+            partners.push_back({false, "", {}});
+        }
+        bool flat = false;
         for (const dem::WallPatch& patch : d.system->walls().patches)
         {
-            onWall = onWall || patch.material == i;
+            if (patch.material == i && patch.curvature)
+            {
+                partners.push_back
+                (
+                    {true, "(" + patch.name + ")", *patch.curvature}
+                );
+            }
+            else if (patch.material == i && !flat)
+            {
+                flat = true;
+                partners.push_back({true, "(wall)", {}});
+            }
         }
 
-        for (const bool wall : {false, true})
+        for (const partner& other : partners)
         {
-            if (wall ? !onWall : i != dust)
-            {
-                continue;
-            }
-            const word pair
-            (
-                table.pairName(dust, i) + (wall ? "(wall)" : ""),
-                false
-            );
+            const bool wall = other.wall;
+            const word pair(table.pairName(dust, i) + other.name, false);
             const word normal
             (
                 table.constants(dust, i).realGamma > 0
@@ -165,6 +181,7 @@ void Foam::dustCloud::printMaterials() const
             scalar overlap = 0;
             scalar lowTabor = GREAT;
             scalar highTabor = 0;
+            scalar holds = 1;   // of what a flat wall does
 
             for (const scalar diameter : {smallest, mean, largest})
             {
@@ -178,7 +195,8 @@ void Foam::dustCloud::printMaterials() const
                     wall ? -1 : 0.5*diameter,
                     mass,
                     wall ? 0 : mass,
-                    speed
+                    speed,
+                    other.curvature
                 );
 
                 Info<< format
@@ -192,6 +210,7 @@ void Foam::dustCloud::printMaterials() const
                         f.stableStep
                     ).c_str() << nl;
 
+                holds = wall ? min(holds, f.R/(0.5*diameter)) : holds;
                 overlap = max(overlap, f.impactOverlap/diameter);
                 lowTabor = min(lowTabor, f.tabor);
                 highTabor = max(highTabor, f.tabor);
@@ -230,7 +249,7 @@ void Foam::dustCloud::printMaterials() const
             {
                 const scalar softest = dem::softestRatioForMargin
                 (
-                    gamma,
+                    gamma*holds,
                     d.gasViscosity,
                     speed,
                     d.properties.limits().pullOffOverForce,
@@ -341,6 +360,33 @@ void Foam::dustCloud::printPlan() const
         subModelProperties_.subDict("particleForces").found("gravity");
 
     line("adhesion", adhesion, models["normal"]);
+    string curved;
+    for (const dem::WallPatch& patch : d.system->walls().patches)
+    {
+        if (!patch.curvature || !(d.diameters[2] > 0))
+        {
+            continue;
+        }
+        const scalar r = 0.5*d.diameters[2];
+        const scalar R = table.wallRadius
+        (
+            d.material, patch.material, *patch.curvature, r
+        );
+        curved += format
+        (
+            "%s%s: %s, R/r %.3g for the largest",
+            curved.empty() ? "" : "; ",
+            patch.name.c_str(),
+            patchCurvature::described(*patch.curvature).c_str(),
+            R/r
+        );
+    }
+    line
+    (
+        "curved walls",
+        !curved.empty(),
+        curved.empty() ? "all walls are taken as flat" : curved
+    );
     line("sliding", parts["tangential"], models["tangential"]);
     line("rolling", parts["rolling"], models["rolling"]);
     line("twisting", parts["twisting"], models["twisting"]);

@@ -534,8 +534,8 @@ Foam::wordList Foam::dustProperties::keywords()
     {
         "FoamFile",
         // read here
-        "materials", "dustMaterial", "patchMaterials", "contact",
-        "reducedStiffness", "timeIntegration",
+        "materials", "dustMaterial", "patchMaterials", "patchCurvature",
+        "contact", "reducedStiffness", "timeIntegration",
         // read by the cloud
         "coupling", "gas", "couplingMassLoading", "progressInterval",
         "solution", "constantProperties", "subModels", "cloudFunctions"

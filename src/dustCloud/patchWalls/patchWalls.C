@@ -21,6 +21,7 @@ License
 
 #include "patchWalls.H"
 #include "dustProperties.H"
+#include "patchCurvature.H"
 #include "wallPolyPatch.H"
 #include "processorPolyPatch.H"
 #include "Pstream.H"
@@ -307,6 +308,8 @@ dem::Walls Foam::patchWalls::New
     {
         Info<< " (" << nDropped << " without area left out)";
     }
+    Info<< nl;
+    patchCurvature::set(walls, properties);
     Info<< endl;
 
     return walls;

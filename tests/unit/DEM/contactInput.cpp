@@ -390,7 +390,7 @@ TEST(materialTable, figures)
     }
 
     // the longest neck of a sphere: on a wall
-    EXPECT_TRUE(close(table.reach(0, 1e-6), law.contact(1e-6, -1).deltaC(), 1e-14));
+    EXPECT_TRUE(close(table.reach(0, 1e-6, {}), law.contact(1e-6, -1).deltaC(), 1e-14));
 }
 
 

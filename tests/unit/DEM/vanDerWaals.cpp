@@ -88,7 +88,7 @@ TEST(vanDerWaals, rangeInTheTable)
     const Law law = lawOf();
     const dem::MaterialTable table = law.table();
     EXPECT_EQ(table.touchDistance(0, 1), range);
-    EXPECT_EQ(table.reach(0, 1e-6), range);
+    EXPECT_EQ(table.reach(0, 1e-6, {}), range);
     EXPECT_TRUE(close
     (
         table.figures(0, 1, 1e-6, -1, law.mass(1e-6), 0, 1).pullOff, 4*pi*1e-6*0.02, 1e-14

@@ -25,7 +25,6 @@ License
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -36,6 +35,7 @@ Foam::contactPair::outcomeNames
     { outcomeType::STICK, "stick" },
     { outcomeType::ROLL, "roll" },
     { outcomeType::SLIDE, "slide" },
+    { outcomeType::REFUSED, "refused" },
 });
 
 
@@ -135,8 +135,7 @@ Foam::contactPair::state Foam::contactPair::look
     s.t = s.n.cross(dem::Vec3::UnitY());
     s.closing = s.v.dot(s.n);
     s.slip = (s.v + arm.cross(s.n)).dot(s.t);
-    const scalar R = pair_.wall ? ri_ : ri_*rj_/(ri_ + rj_);
-    s.roll = R*spin.cross(s.n).dot(s.t) + skew*s.slip;
+    s.roll = rollingRadius()*spin.cross(s.n).dot(s.t) + skew*s.slip;
     return s;
 }
 
@@ -145,14 +144,14 @@ Foam::scalar Foam::contactPair::rockingPeriod() const
 {
     if (rockingPeriod_ < 0)
     {
-        const dem::ContactFigures f = figures(0);
         const scalar k =
             heldContact(*this, 0).limit(heldContact::ROLLING).stiffness;
 
         // The longest of the modes: a sphere that rolls to and fro on a wall
         rockingPeriod_ =
             k > 0
-          ? constant::mathematical::twoPi*std::sqrt(1.4*mi_*ri_*ri_/(k*f.R))
+          ? constant::mathematical::twoPi
+           *std::sqrt(1.4*mi_*ri_*ri_/(k*rollingRadius()))
           : 0;
     }
     return rockingPeriod_;
@@ -203,7 +202,10 @@ std::unique_ptr<dem::System> Foam::contactPair::newSystem
     if (pair_.wall)
     {
         dem::Walls walls;
-        walls.patches.push_back({table.materials()[std::size_t(j)].name, j});
+        walls.patches.push_back
+        (
+            {table.materials()[std::size_t(j)].name, j, pair_.curvature}
+        );
         walls.planes.push_back({dem::Vec3::Zero(), dem::Vec3::UnitZ(), 0});
         system->setWalls(walls);
     }
@@ -324,6 +326,16 @@ Foam::contactPair::collision Foam::contactPair::collide
     };
     note(before);
 
+    const auto noteTangential = [&](const state& s, const dem::Vec3& v)
+    {
+        if (angle > 0)
+        {
+            result.tangentialRestitution =
+                v.dot(s.t)/(speed*std::sin(angle));
+        }
+        result.spin = system->particle(0).omega.dot(s.t.cross(s.n));
+    };
+
     while (true)
     {
         if (force > 0)
@@ -344,13 +356,13 @@ Foam::contactPair::collision Foam::contactPair::collide
         }
         catch (const dem::numericalError& e)
         {
-            throw std::runtime_error
-            (
-                "The impact of " + pair_.name + " with chi = "
-              + Foam::name(constants().chi) + " at " + Foam::name(speed)
-              + " m/s cannot be computed: choose a stiffer material (chi) or a"
-              + " lower velocity.\n" + e.what()
-            );
+            result = collision();
+            result.outcome = REFUSED;
+            result.reason = e.what();
+            result.restitution = result.contactTime = result.maxOverlap =
+                result.tangentialRestitution = result.spin =
+                result.reboundAngle = std::nan("");
+            return result;
         }
         t += h;
         const state now = look(*system);
@@ -376,6 +388,12 @@ Foam::contactPair::collision Foam::contactPair::collide
             result.contactTime = t - low;
             result.restitution =
                 std::max(scalar(0), -(now.v - low*a).dot(now.n))/vn;
+            noteTangential(now, now.v - low*a);
+            result.reboundAngle = std::atan2
+            (
+                angle > 0 ? (now.v - low*a).dot(now.t) : scalar(0),
+                result.restitution*vn
+            );
             // a fast impact may be over before the second look
             result.maxOverlap = std::max(result.maxOverlap, -before.gap);
             if (history)
@@ -471,6 +489,11 @@ Foam::contactPair::collision Foam::contactPair::collide
         before = now;
     }
 
+    if (result.outcome != REBOUND)
+    {
+        const state end = look(*system);
+        noteTangential(end, end.v);
+    }
     return result;
 }
 
@@ -497,14 +520,12 @@ Foam::scalar Foam::contactPair::stickingSpeed(const scalar tolerance) const
             low = high;
             high *= 2;
             if (high > 1e6*start) return -1;
-            try
-            {
-                if (!sticks(high)) break;
-            }
-            catch (const std::runtime_error&)
+            const outcomeType outcome = collide(high).outcome;
+            if (outcome == REFUSED)
             {
                 return -1;      // deeper than any law goes, and still held
             }
+            if (outcome == REBOUND) break;
         } while (true);
     }
     else

@@ -20,6 +20,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "caseInput.H"
+#include "patchCurvature.H"
 #include "probeSettings.H"
 
 #include <functional>
@@ -87,7 +88,7 @@ void Foam::probeSettings::readPairs
 
     for (const word& name : pairs)
     {
-        pair p{name, -1, -1, false};
+        pair p{name, -1, -1, false, {}};
 
         // a name may have a dot of its own: try every one
         for
@@ -162,8 +163,8 @@ Foam::probeSettings::probeSettings
         dict,
         {
             "FoamFile", "pairs", "diameter", "partnerDiameter", "velocities",
-            "angles", "chi", "tangentialForce", "duration", "slipVelocity",
-            "gasViscosity", "curve"
+            "wallRadius", "angles", "chi", "tangentialForce", "duration",
+            "slipVelocity", "gasViscosity", "curve"
         }
     );
 
@@ -172,6 +173,31 @@ Foam::probeSettings::probeSettings
     diameter_ = dict.get<scalar>("diameter");
     check(dict, "diameter", diameter_, diameter_ > 0, "> 0 m");
     partnerDiameter_ = positiveOr(dict, "partnerDiameter", diameter_, "m");
+
+    if (dict.found("wallRadius"))
+    {
+        const dem::WallCurvature curvature
+        (
+            patchCurvature::read(dict, "wallRadius")
+        );
+        bool used = false;
+        for (pair& p : pairs_)
+        {
+            if (p.wall)
+            {
+                p.curvature = curvature;
+                used = true;
+            }
+        }
+        if (!used)
+        {
+            dustProperties::error
+            (
+                dict, "wallRadius", "none of the pairs has a wall",
+                "a pair of the dust and the material of a wall"
+            );
+        }
+    }
 
     velocities_ = checkedList
     (

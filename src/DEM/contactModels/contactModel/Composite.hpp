@@ -15,6 +15,7 @@
 #include "contactModels/contactModel/Real.hpp"
 #include "contactModels/contactModel/lanes.hpp"
 #include "contactModels/contactModel/none.hpp"
+#include "contactModels/normal/ellipticContact.hpp"
 #include "timeIntegration/contactPeriod.hpp"
 
 #include <algorithm>
@@ -682,6 +683,11 @@ public:
     }
 
     bool elastic() const override { return Normal::elastic; }
+
+    double effectiveRadius(double inverse1, double inverse2) const override
+    {
+        return Normal::effectiveRadius(ellipticContact::Shape(inverse1, inverse2));
+    }
 
     double pullOff(int pair, const PairConstants& c, double R) const override
     {

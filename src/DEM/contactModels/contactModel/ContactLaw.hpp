@@ -51,6 +51,10 @@ public:
     //  Errors: inputError
     virtual int addPair(const ContactSettings& settings) = 0;
 
+    //- Effective radius R [m] of a sphere on a curved wall from the relative curvatures
+    //  1/R_1 <= 1/R_2 (normal/ellipticContact.hpp)
+    virtual double effectiveRadius(double inverse1, double inverse2) const = 0;
+
     //- Constants of one contact of that pair
     virtual void prepare(int pair, const ContactScale& s, double* constants) const = 0;
 
@@ -63,7 +67,8 @@ public:
     //- Without adhesion and damping, at this speed [m/s]
     virtual Impact impact(int pair, const ContactScale& s, double speed) const = 0;
 
-    //- Where rolling yields at A = 1, effective radius R [m]; zeros without rolling resistance
+    //- Where rolling yields at A = 1, R of the rolling velocity [m] (ContactScale); zeros
+    //  without rolling resistance
     virtual RollingYield rollingYield(const double* constants, double R) const = 0;
 
     //- Turn what the history holds in space by R, as the pair turns

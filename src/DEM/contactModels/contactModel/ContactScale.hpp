@@ -10,8 +10,13 @@ namespace dem
 struct ContactScale
 {
     const PairConstants& pair;
-    double R;               // effective radius [m]; wall: r_i
+    double R;               // effective radius [m]; flat wall: r_i
     double m;               // effective mass [kg]; wall: m_i
+
+    //- R of the rolling velocity [m]: on a curved wall r_i, where R is less; 0: R
+    double rolling = 0;
+
+    double rollingRadius() const { return rolling > 0 ? rolling : R; }
 };
 
 //- The original strength of a contact, as the resistances use it (PairConstants::limits)

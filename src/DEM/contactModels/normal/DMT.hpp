@@ -34,6 +34,11 @@ struct DMT
     using Parameters = Hertz::Parameters;
     static Parameters read(const PartInput& input) { return Hertz::read(input); }
 
+    //- Of the sphere on a plane that stands for an elliptic contact [m]
+    static double effectiveRadius(const ellipticContact::Shape& s)
+    {
+        return s.R;
+    }
     static double pullOff(const Parameters&, const PairConstants& c, double R)
     {
         return 4*M_PI*R*c.gamma;

@@ -20,6 +20,7 @@
 #include "contactModels/contactModel/NormalResponse.hpp"
 #include "contactModels/contactModel/PartInput.hpp"
 #include "contactModels/contactModel/Real.hpp"
+#include "contactModels/normal/ellipticContact.hpp"
 #include "timeIntegration/contactPeriod.hpp"
 
 namespace dem
@@ -45,6 +46,11 @@ struct Hertz
 
     static Parameters read(const PartInput& input) { return {input.dampingRatio()}; }
 
+    //- Of the sphere on a plane that stands for an elliptic contact [m]
+    static double effectiveRadius(const ellipticContact::Shape& s)
+    {
+        return s.R*ellipticContact::stiffnessFactor(s.y);
+    }
     static double pullOff(const Parameters&, const PairConstants&, double) { return 0; }
     static double reach(const Parameters&, const PairConstants&, double) { return 0; }
     static double equilibriumRadius(const Parameters&, const PairConstants&, double)

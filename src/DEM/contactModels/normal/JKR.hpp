@@ -22,6 +22,7 @@
 #include "contactModels/contactModel/ContactScale.hpp"
 #include "contactModels/contactModel/NormalResponse.hpp"
 #include "contactModels/contactModel/PartInput.hpp"
+#include "contactModels/normal/ellipticContact.hpp"
 #include "contactModels/normal/jkrCurve.hpp"
 #include "timeIntegration/contactPeriod.hpp"
 
@@ -51,6 +52,11 @@ struct JKR
         return {std::sqrt(5.0)*input.dampingRatio()};
     }
 
+    //- Of the sphere on a plane that stands for an elliptic contact [m]
+    static double effectiveRadius(const ellipticContact::Shape& s)
+    {
+        return s.R*ellipticContact::pullOffFactor(s.y);
+    }
     static double pullOff(const Parameters&, const PairConstants& c, double R)
     {
         return 3*M_PI*R*c.gamma;

@@ -38,6 +38,7 @@
 #include "contactModels/contactModel/NormalResponse.hpp"
 #include "contactModels/contactModel/PartInput.hpp"
 #include "contactModels/contactModel/Real.hpp"
+#include "contactModels/normal/ellipticContact.hpp"
 #include "particles/errors.hpp"
 #include "timeIntegration/contactPeriod.hpp"
 
@@ -122,6 +123,11 @@ struct cohesivePlastic
         return p;
     }
 
+    //- Of the sphere on a plane that stands for an elliptic contact [m]
+    static double effectiveRadius(const ellipticContact::Shape& s)
+    {
+        return s.R;
+    }
     static double pullOff(const Parameters& p, const PairConstants&, double R)
     {
         return p.attraction + p.attractionPerRadius*R;

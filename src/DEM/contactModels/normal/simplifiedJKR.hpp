@@ -34,6 +34,10 @@ struct simplifiedJKR
     using Parameters = Hertz::Parameters;
     static Parameters read(const PartInput& input) { return Hertz::read(input); }
 
+    static double effectiveRadius(const ellipticContact::Shape& s)
+    {
+        return JKR::effectiveRadius(s);
+    }
     static double pullOff(const Parameters&, const PairConstants& c, double R)
     {
         return JKR::pullOff({}, c, R);

@@ -77,6 +77,11 @@ struct vanDerWaals
         return c.gamma > 0 ? c.realGamma/c.gamma : 1;
     }
 
+    //- Of the sphere on a plane that stands for an elliptic contact [m]
+    static double effectiveRadius(const ellipticContact::Shape& s)
+    {
+        return s.R;
+    }
     static double pullOff(const Parameters& p, const PairConstants& c, double R)
     {
         return DMT::pullOff(p.hertz, c, R);

@@ -81,7 +81,7 @@ struct springSlider
     {
         c[0] = p.criticalAngle > 0      // xi_crit/R
           ? p.criticalAngle
-          : p.adhesionHysteresis*r.a0/(12*s.R);
+          : p.adhesionHysteresis*r.a0/(12*s.rollingRadius());
         c[1] = p.rollingDamping;
         c[2] = r.a0;
     }
