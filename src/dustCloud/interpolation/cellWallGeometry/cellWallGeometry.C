@@ -426,10 +426,13 @@ void Foam::cellWallGeometry::calcNeighbours()
 
         // Neighbours in one plane say nothing of the direction across it: no
         // change along it then
-        const scalar least = cmptMin(eigenValues(M));
-        if (least < 1e-3*sum)
+        if (det(M) < 1e-4*pow3(sum/3))
         {
-            M += 1e-2*max(sum, VSMALL)*symmTensor::I;
+            M += 1e-2*sum*symmTensor::I;
+        }
+        if (sum <= VSMALL)
+        {
+            M = symmTensor::I;
         }
         const symmTensor inverse(inv(M));
         for (label i = first; i < neighbours_.size(); ++i)
