@@ -21,6 +21,7 @@ License
 
 #include "cellWall.H"
 #include "syncTools.H"
+#include "turbulenceModel.H"
 #include "wallPolyPatch.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -59,7 +60,7 @@ Foam::labelList Foam::cellWall<Type>::kinds
         if
         (
             isA<wallPolyPatch>(psi.mesh().boundaryMesh()[patchi])
-         && through[patchi] <= 1e-6*speed
+         && through[patchi] <= max(1e-6*speed, 0.01*along[patchi])
         )
         {
             result[patchi] =
@@ -69,6 +70,54 @@ Foam::labelList Foam::cellWall<Type>::kinds
         }
     }
     return result;
+}
+
+
+template<class Type>
+void Foam::cellWall<Type>::setProfiles()
+{
+    const fvMesh& mesh = geometry_.mesh();
+    const turbulenceModel* model = mesh.cfindObject<turbulenceModel>
+    (
+        IOobject::groupName(turbulenceModel::propertiesName, this->psi_.group())
+    );
+    if (!model)
+    {
+        return;
+    }
+
+    for (const fvPatch& patch : mesh.boundary())
+    {
+        if (!isA<wallPolyPatch>(patch.patch()))
+        {
+            continue;
+        }
+        const scalarField nut(model->nut(patch.index()));
+        const scalarField nu(model->nu(patch.index()));
+        const labelUList& cells = patch.faceCells();
+
+        forAll(cells, i)
+        {
+            const label celli = cells[i];
+            const nearWall* near = geometry_.walls(celli);
+            const scalar A = 1 + nut[i]/nu[i];
+            const scalar y = near ? near->height() : 0;
+            const scalar speed = mag(this->psi_[celli]);
+
+            if (A > 1 + SMALL && y > 0 && speed > VSMALL)
+            {
+                // Of several faces the one with the largest: in no order
+                wallProfile& profile = profiles_(celli);
+                profile.A = max(profile.A, A);
+                profile.s1 =
+                    min
+                    (
+                        11.53/sqrt(profile.A*speed*y/nu[i]),
+                        1/profile.A
+                    );
+            }
+        }
+    }
 }
 
 
@@ -100,6 +149,7 @@ Foam::cellWall<Type>::cellWall
         }
     }
     geometry_.gradients(psi.primitiveField(), boundary, gradients_);
+    setProfiles();
 }
 
 
@@ -117,10 +167,20 @@ Type Foam::cellWall<Type>::interpolate
     const vector d = position - geometry_.centre(celli);
     const nearWall* walls = geometry_.walls(celli);
 
-    return
-        walls
-      ? walls->velocity(position, d, inside, gradients_[celli])
-      : inside + (d & gradients_[celli]);
+    if (!walls)
+    {
+        return inside + (d & gradients_[celli]);
+    }
+
+    const auto profile = profiles_.cfind(celli);
+    return walls->velocity
+    (
+        position,
+        d,
+        inside,
+        gradients_[celli],
+        profile.found() ? &*profile : nullptr
+    );
 }
 
 

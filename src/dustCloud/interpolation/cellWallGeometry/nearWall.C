@@ -24,6 +24,31 @@ License
 #include <algorithm>
 #include <utility>
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+Foam::scalar Foam::wallProfile::f(const scalar s) const
+{
+    return
+        s <= s1
+      ? A*s
+      : A*s1 + (1 - A*s1)*Foam::log(s/s1)/Foam::log(1/s1);
+}
+
+
+Foam::scalar Foam::wallProfile::F(const scalar s) const
+{
+    const scalar low = min(s, s1);
+    scalar sum = 0.5*A*sqr(low);
+    if (s > s1)
+    {
+        sum +=
+            A*s1*(s - s1)
+          + (1 - A*s1)*(s*Foam::log(s/s1) - s + s1)/Foam::log(1/s1);
+    }
+    return sum;
+}
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::nearWall::place Foam::nearWall::fromPlane
@@ -126,6 +151,34 @@ Foam::nearWall::place Foam::nearWall::seen(const wall& w, const point& x)
         w.flat
       ? fromPlane(w.triangles.first(), x)
       : fromTriangles(w.triangles, x);
+}
+
+
+Foam::vector Foam::nearWall::alongOne
+(
+    const point& x,
+    const vector& d,
+    const vector& U,
+    const tensor& B,
+    const wallProfile* profile
+) const
+{
+    const place p = seen(walls_[0], x);
+    const scalar yRef = walls_[0].yRef;
+    const scalar s = p.y/yRef;
+    const scalar dWn = p.n & B & p.n;
+
+    // s and its integral from the wall
+    const scalar f = profile ? profile->f(s) : s;
+    const scalar F = profile ? profile->F(s) : 0.5*sqr(s);
+
+    const vector W = U + ((profile ? d - (p.n & d)*p.n : d) & B);
+    const scalar Wn = p.n & W;
+    const scalar un =
+        p.m*f*(Wn - p.y*dWn)/(1 + p.m)
+      - 2*F*yRef*(tr(B) - (1 + p.m)*dWn)/(2 + p.m);
+
+    return f*W + (un - f*Wn)*p.n;
 }
 
 
@@ -310,25 +363,16 @@ Foam::vector Foam::nearWall::velocity
     const point& x,
     const vector& d,
     const vector& U,
-    const tensor& B
+    const tensor& B,
+    const wallProfile* profile
 ) const
 {
-    const vector W = U + (d & B);
-
-    if (walls_.size() == 1 && nNoSlip_ == 1)
+    if (height() > 0)
     {
-        const place p = seen(walls_[0], x);
-        const scalar s = p.y/walls_[0].yRef;
-        const scalar Wn = p.n & W;
-        const scalar dWn = p.n & B & p.n;
-        const scalar un =
-            s
-           *(
-                p.m*(Wn - p.y*dWn)/(1 + p.m)
-              - p.y*(tr(B) - (1 + p.m)*dWn)/(2 + p.m)
-            );
-        return s*W + (un - s*Wn)*p.n;
+        return alongOne(x, d, U, B, profile);
     }
+
+    const vector W = U + (d & B);
 
     if (!nNoSlip_)
     {
