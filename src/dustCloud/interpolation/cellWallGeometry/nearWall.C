@@ -166,19 +166,31 @@ Foam::vector Foam::nearWall::alongOne
     const place p = seen(walls_[0], x);
     const scalar yRef = walls_[0].yRef;
     const scalar s = p.y/yRef;
-    const scalar dWn = p.n & B & p.n;
 
     // s and its integral from the wall
     const scalar f = profile ? profile->f(s) : s;
     const scalar F = profile ? profile->F(s) : 0.5*sqr(s);
 
-    const vector W = U + ((profile ? d - (p.n & d)*p.n : d) & B);
-    const scalar Wn = p.n & W;
-    const scalar un =
-        p.m*f*(Wn - p.y*dWn)/(1 + p.m)
-      - 2*F*yRef*(tr(B) - (1 + p.m)*dWn)/(2 + p.m);
+    // At the height of the centre; its change along n; its change along the wall
+    const vector W0 = U + ((d + (yRef - p.y)*p.n) & B);
+    const scalar along = tr(B) - (p.n & B & p.n);
+    const vector dW = profile ? vector(Zero) : vector(p.n & B);
+    const scalar dWn = p.n & dW;
 
-    return f*W + (un - f*Wn)*p.n;
+    scalar un;
+    if (p.m == 0)
+    {
+        un = -F*yRef*along;
+    }
+    else
+    {
+        un =
+            f*(p.m*((p.n & W0) - yRef*dWn) - yRef*along)/(1 + p.m)
+          + 2*F*yRef*p.m*dWn/(2 + p.m);
+    }
+
+    const vector W = W0 + (p.y - yRef)*dW;
+    return f*W + (un - f*(p.n & W))*p.n;
 }
 
 
