@@ -17,6 +17,7 @@ void StepReport::add(const StepReport& o)
     touches += o.touches;
     touchSpeed += o.touchSpeed;
     touchSpeedSquare += o.touchSpeedSquare;
+    followerTouches += o.followerTouches;
     separations += o.separations;
     sleeps += o.sleeps;
     wakes += o.wakes;

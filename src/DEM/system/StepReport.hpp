@@ -20,6 +20,9 @@ struct StepReport
     std::int64_t touches = 0;           // contacts formed
     double touchSpeed = 0;              // sum of their speeds of approach [m/s]
     double touchSpeedSquare = 0;        // sum of the squares of these [m2/s2]
+    // contacts with walls formed by particles that the gas has brought: tau_p v_n < r, i.e. they
+    // would have stopped within their radius, and no other force has driven them
+    std::int64_t followerTouches = 0;
     std::int64_t separations = 0;       // contacts ended
     std::int64_t sleeps = 0;            // particles put to rest
     std::int64_t wakes = 0;             // particles woken

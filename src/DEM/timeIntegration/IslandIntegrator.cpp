@@ -550,6 +550,19 @@ bool IslandIntegrator::endMarked(StepReport& report)
 }
 
 
+//- Whether particle i, which meets a wall in the direction n, came there with the gas:
+//  neither did its inertia carry it (it would stop within its radius) nor a force
+bool IslandIntegrator::follows(const int i, const Vec3& n) const
+{
+    const Body& b = bodies_[std::size_t(i)];
+    const GasLoad& g = gas_[std::size_t(i)];
+    const double speed = vec(b.v).dot(n);
+    return
+        speed < particles_[std::size_t(i)].radius*g.Sp*b.invM
+     && g.Su.dot(n) <= 0.5*g.Sp*speed;
+}
+
+
 //- Begin contacts where surfaces have met; their load is added
 bool IslandIntegrator::form(StepReport& report)
 {
@@ -608,6 +621,7 @@ bool IslandIntegrator::form(StepReport& report)
             list.overlap.back() = r - hits[k].distance;
             hitTaken_[std::size_t(i)][k] = 1;
             touches(vec(bodies_[std::size_t(i)].v), hits[k].n);
+            report.followerTouches += follows(i, hits[k].n);
             any = true;
         }
     }

@@ -231,6 +231,7 @@ private:
     void remove(ContactList& list, std::size_t k);
     void store(const ContactList& list, std::size_t k, bool wall);
     bool endMarked(StepReport& report);
+    bool follows(int i, const Vec3& n) const;
     bool form(StepReport& report);
     void findCandidates(double dt);
     void addCandidate(int i, int j);

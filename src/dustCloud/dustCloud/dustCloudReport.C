@@ -681,6 +681,7 @@ void Foam::dustCloud::summarise()
     const scalar touches = sum(totals.touches);
     const scalar touchSpeed = sum(totals.touchSpeed)/max(touches, 1.0);
     const scalar touchSpeedSquare = sum(totals.touchSpeedSquare)/max(touches, 1.0);
+    const scalar followers = sum(totals.followerTouches);
     const scalar separations = sum(totals.separations);
     const scalar aggregateFlights = sum(totals.aggregateFlights);
     const scalar repeats = sum(totals.repeats);
@@ -814,11 +815,14 @@ void Foam::dustCloud::summarise()
             "%.3g of aggregates, contact steps %.3g, contact updates %.3g\n"
             "    touches %.3g, separations %.3g, sleeps %.3g, wakes %.3g\n"
             "    speed at touch %.3g m/s, standard deviation %.3g m/s\n"
+            "    touches of walls by particles that follow the gas (tau_p v_n < r) "
+            "%.3g\n"
             "    largest overlap/d %.3g, fewest steps per contact period %s, "
             "largest step/stability bound %.3g, energy removed by rest %.3g J\n",
             d.particleSteps, repeats, freeFlights, aggregateFlights, contactSteps,
             contactUpdates, touches, separations, sleeps, wakes, touchSpeed,
             std::sqrt(max(touchSpeedSquare - sqr(touchSpeed), 0.0)),
+            followers,
             totals.maxOverlapOverDiameter,
             totals.minStepsPerContact < 1e100
           ? format("%.3g", totals.minStepsPerContact).c_str()
@@ -881,6 +885,14 @@ void Foam::dustCloud::summarise()
                ).c_str()
             << "), overlap in " << d.overlapSteps << ", chi "
             << (d.ratioBelowLimit ? "below" : "within") << " its limit";
+    }
+    if (followers && !d.dispersion)
+    {
+        // Neither inertia nor a force: their radius, or an error of the gas
+        // velocity at the walls
+        Info<< "; " << label(followers) << " touches of walls by particles"
+            << " that follow the gas (tau_p v_n < r): interception, or numerics"
+            << " if it does not stay with a finer mesh";
     }
     Info<< nl << endl;
 

@@ -20,7 +20,138 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "cellWall.H"
+#include "syncTools.H"
+#include "turbulenceModel.H"
 #include "wallPolyPatch.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<class Type>
+Foam::labelList Foam::cellWall<Type>::kinds
+(
+    const GeometricField<Type, fvPatchField, volMesh>& psi
+)
+{
+    const fvBoundaryMesh& patches = psi.mesh().boundary();
+    const label n = psi.mesh().boundaryMesh().nNonProcessor();
+    const scalar speed = gMax(mag(psi.primitiveField())());
+
+    scalarField along(n, Zero);
+    scalarField through(n, Zero);
+    for (label patchi = 0; patchi < n; ++patchi)
+    {
+        const vectorField normals(patches[patchi].nf());
+        forAll(normals, i)
+        {
+            const vector& U = psi.boundaryField()[patchi][i];
+            const scalar un = U & normals[i];
+            through[patchi] = max(through[patchi], mag(un));
+            along[patchi] = max(along[patchi], mag(U - un*normals[i]));
+        }
+    }
+    Pstream::listCombineGather(along, maxEqOp<scalar>());
+    Pstream::listCombineScatter(along);
+    Pstream::listCombineGather(through, maxEqOp<scalar>());
+    Pstream::listCombineScatter(through);
+
+    labelList result(n, label(cellWallGeometry::open));
+    forAll(result, patchi)
+    {
+        if
+        (
+            isA<wallPolyPatch>(psi.mesh().boundaryMesh()[patchi])
+         && through[patchi] <= max(1e-6*speed, 0.01*along[patchi])
+        )
+        {
+            result[patchi] =
+                along[patchi] > 1e-6*speed
+              ? cellWallGeometry::slip
+              : cellWallGeometry::noSlip;
+        }
+    }
+    return result;
+}
+
+
+template<class Type>
+void Foam::cellWall<Type>::setProfiles()
+{
+    const fvMesh& mesh = geometry_.mesh();
+    const turbulenceModel* model = mesh.cfindObject<turbulenceModel>
+    (
+        IOobject::groupName(turbulenceModel::propertiesName, this->psi_.group())
+    );
+    if (!model)
+    {
+        return;
+    }
+
+    for (const fvPatch& patch : mesh.boundary())
+    {
+        if (!isA<wallPolyPatch>(patch.patch()))
+        {
+            continue;
+        }
+        const scalarField nut(model->nut(patch.index()));
+        const scalarField nu(model->nu(patch.index()));
+        const labelUList& cells = patch.faceCells();
+
+        forAll(cells, i)
+        {
+            const label celli = cells[i];
+            const nearWall* near = geometry_.walls(celli);
+            const scalar A = 1 + nut[i]/nu[i];
+            const scalar y = near ? near->height() : 0;
+            const scalar speed = mag(this->psi_[celli]);
+
+            if (A > 1 + SMALL && y > 0 && speed > VSMALL)
+            {
+                // Of several faces the one with the largest: in no order
+                wallProfile& profile = profiles_(celli);
+                profile.A = max(profile.A, A);
+                profile.s1 =
+                    min
+                    (
+                        11.53/sqrt(profile.A*speed*y/nu[i]),
+                        1/profile.A
+                    );
+            }
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+template<class Type>
+Foam::cellWall<Type>::cellWall
+(
+    const GeometricField<Type, fvPatchField, volMesh>& psi
+)
+:
+    interpolation<Type>(psi),
+    geometry_(cellWallGeometry::get(psi.mesh(), kinds(psi)))
+{
+    const fvMesh& mesh = psi.mesh();
+
+    Field<Type> boundary;
+    syncTools::swapBoundaryCellList(mesh, psi.primitiveField(), boundary);
+    for (const fvPatch& patch : mesh.boundary())
+    {
+        if (!patch.coupled())
+        {
+            const Field<Type>& values = psi.boundaryField()[patch.index()];
+            const label start = patch.start() - mesh.nInternalFaces();
+            forAll(values, i)
+            {
+                boundary[start + i] = values[i];
+            }
+        }
+    }
+    geometry_.gradients(psi.primitiveField(), boundary, gradients_);
+    setProfiles();
+}
+
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
@@ -32,50 +163,24 @@ Type Foam::cellWall<Type>::interpolate
     const label
 ) const
 {
-    const polyMesh& mesh = this->pMesh_;
-    const polyBoundaryMesh& patches = mesh.boundaryMesh();
-
     const Type& inside = this->psi_[celli];
-    Type result = inside;
-    scalar nearest = GREAT;
+    const vector d = position - geometry_.centre(celli);
+    const nearWall* walls = geometry_.walls(celli);
 
-    for (const label facei : mesh.cells()[celli])
+    if (!walls)
     {
-        if (mesh.isInternalFace(facei))
-        {
-            continue;
-        }
-        const polyPatch& patch = patches[patches.whichPatch(facei)];
-        if (!isA<wallPolyPatch>(patch))
-        {
-            continue;
-        }
-
-        // Not from the plane of the face, which may cut a cell that winds
-        // round an edge of the wall
-        const face& f = mesh.faces()[facei];
-        const scalar here = f.nearestPoint(position, mesh.points()).distance();
-
-        // Rounded, as the last bits of a cell's centre depend on the order of
-        // its faces, and that on the decomposition
-        const scalar centre = float
-        (
-            f.nearestPoint(mesh.cellCentres()[celli], mesh.points()).distance()
-        );
-
-        if (here < nearest*centre)
-        {
-            nearest = here/centre;
-            const Type& wall =
-                this->psi_.boundaryField()[patch.index()]
-                [
-                    patch.whichFace(facei)
-                ];
-            result = wall + min(scalar(2), nearest)*(inside - wall);
-        }
+        return inside + (d & gradients_[celli]);
     }
 
-    return result;
+    const auto profile = profiles_.cfind(celli);
+    return walls->velocity
+    (
+        position,
+        d,
+        inside,
+        gradients_[celli],
+        profile.found() ? &*profile : nullptr
+    );
 }
 
 
@@ -83,7 +188,6 @@ Type Foam::cellWall<Type>::interpolate
 
 namespace Foam
 {
-    makeInterpolationType(cellWall, scalar);
     makeInterpolationType(cellWall, vector);
 }
 
