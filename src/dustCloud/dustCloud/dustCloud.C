@@ -648,6 +648,11 @@ Foam::dustCloud::dustCloud
         );
         d.material = d.system->materials().index(d.properties.dustMaterial());
         d.system->setWalls(std::move(walls));
+        d.periodic = patchWalls::periodic(mesh_);
+        if (d.periodic.on())
+        {
+            d.system->setPeriodic(d.periodic);
+        }
         if (d.diameters[2] > 0)
         {
             // the largest fits least

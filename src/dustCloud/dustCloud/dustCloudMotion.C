@@ -359,6 +359,12 @@ void Foam::dustCloud::motion(dustParcel::trackingData& td)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+Foam::vector Foam::dustCloud::wayTo(const dustParcel& p) const
+{
+    return toVector(dem_->periodic.nearest(toVec3(p.x() - p.position())));
+}
+
+
 void Foam::dustCloud::findBlocked(dustParcel& p)
 {
     const label celli = mesh_.findCell(p.x());

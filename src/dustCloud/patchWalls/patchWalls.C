@@ -22,6 +22,8 @@ License
 #include "patchWalls.H"
 #include "dustProperties.H"
 #include "patchCurvature.H"
+#include "cyclicPolyPatch.H"
+#include "processorCyclicPolyPatch.H"
 #include "wallPolyPatch.H"
 #include "processorPolyPatch.H"
 #include "Pstream.H"
@@ -169,6 +171,57 @@ Foam::List<Foam::patchWalls::triangle> Foam::patchWalls::gather
 }
 
 
+dem::Periodic Foam::patchWalls::periodic(const polyMesh& mesh)
+{
+    dem::Periodic result;
+    const boundBox& bounds = mesh.bounds();
+
+    for (const polyPatch& pp : mesh.boundaryMesh())
+    {
+        if (!isA<cyclicPolyPatch>(pp) && !isA<processorCyclicPolyPatch>(pp))
+        {
+            continue;
+        }
+        const coupledPolyPatch& cyclic = refCast<const coupledPolyPatch>(pp);
+        const vector step
+        (
+            cyclic.separation().size() ? cyclic.separation()[0] : vector(Zero)
+        );
+        direction d = 0;
+        for (direction k = 1; k < 3; ++k)
+        {
+            d = mag(step[k]) > mag(step[d]) ? k : d;
+        }
+        const scalar length = mag(step[d]);
+
+        if
+        (
+            Pstream::parRun()
+         || !cyclic.parallel()
+         || cyclic.separation().size() != 1
+         || mag(mag(step) - length) > 1e-6*length
+         || mag(length - bounds.span()[d]) > 1e-6*length
+        )
+        {
+            FatalErrorInFunction
+                << "Patch " << pp.name() << " is of type " << pp.type()
+                << (
+                       Pstream::parRun()
+                     ? ": the contact engine is periodic on one rank only"
+                     : ", but does not lead from one end of the mesh to the"
+                       " other along x, y or z"
+                   )
+                << nl << "    allowed: translational cyclic patches over the"
+                << " whole extent of the mesh, in a serial run"
+                << exit(FatalError);
+        }
+        result.low[d] = bounds.min()[d];
+        result.length[d] = length;
+    }
+    return result;
+}
+
+
 dem::Walls Foam::patchWalls::New
 (
     const polyMesh& mesh,
@@ -196,6 +249,7 @@ dem::Walls Foam::patchWalls::New
         (
             polyPatch::constraintType(pp.type())
          && !isA<processorPolyPatch>(pp)
+         && pp.type() != cyclicPolyPatch::typeName
         )
         {
             FatalErrorInFunction

@@ -365,7 +365,7 @@ void Foam::cellWallGeometry::findWalls()
 void Foam::cellWallGeometry::calcNeighbours()
 {
     pointField across;
-    syncTools::swapBoundaryCellList(mesh_, centres_, across);
+    syncTools::swapBoundaryCellPositions(mesh_, centres_, across);
 
     start_.setSize(mesh_.nCells() + 1);
     start_[0] = 0;
