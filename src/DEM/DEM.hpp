@@ -7,3 +7,4 @@
 #include "particles/errors.hpp"
 #include "reducedStiffness/ReducedStiffness.hpp"
 #include "system/System.hpp"
+#include "timeIntegration/meanDrag.hpp"
