@@ -7,4 +7,5 @@
 #include "particles/errors.hpp"
 #include "reducedStiffness/ReducedStiffness.hpp"
 #include "system/System.hpp"
+#include "timeIntegration/meanDrag.hpp"
 #include "walls/measureCurvature.hpp"

@@ -20,7 +20,9 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "dustCloudData.H"
+#include "cellCrossing.H"
 #include "cellWall.H"
+#include "gasLoads.H"
 
 #include "PstreamBuffers.H"
 #include "InjectionModelList.H"
@@ -40,15 +42,16 @@ Foam::scalar Foam::dustCloud::particleStepLimit() const
 
     for (const dustParcel& p : *this)
     {
+        scalar rate = cellCrossing(mesh_, p.cell(), p.U());
+
         // A particle that follows the gas may be as fast as the gas is
-        scalar speed = mag(p.U());
         if (p.state() != dustParcel::resting)
         {
-            speed = max(speed, mag(U_[p.cell()]));
+            rate = max(rate, cellCrossing(mesh_, p.cell(), U_[p.cell()]));
         }
-        if (speed > VSMALL)
+        if (rate > VSMALL)
         {
-            limit = min(limit, maxCo*cellLengthScale_[p.cell()]/speed);
+            limit = min(limit, maxCo/rate);
         }
     }
 
@@ -76,6 +79,7 @@ void Foam::dustCloud::setGasLoads
     // decomposition
     const bool atPoint = isA<cellWall<vector>>(td.UInterp());
 
+    DynamicList<label> drags;
     label i = 0;
 
     for (dustParcel& p : *this)
@@ -88,11 +92,14 @@ void Foam::dustCloud::setGasLoads
             continue;
         }
 
-        p.setCellValues(*this, td);
-        if (atPoint)
-        {
-            td.Uc() = td.UInterp().interpolate(p.x(), p.cell());
-        }
+        const tetIndices tets(p.currentTetIndices());
+        td.rhoc() = td.rhoInterp().interpolate(p.coordinates(), tets);
+        td.muc() = td.muInterp().interpolate(p.coordinates(), tets);
+        td.Uc() =
+            atPoint
+          ? td.UInterp().interpolate(p.x(), p.cell())
+          : td.UInterp().interpolate(p.coordinates(), tets);
+        const vector Umean = td.Uc();
 
         if (d.dispersion)
         {
@@ -109,18 +116,9 @@ void Foam::dustCloud::setGasLoads
             p.calcDispersion(*this, td, dt);
         }
 
-        const scalar mass = p.mass();
-        const scalar Re = p.Re(td);
-        const forceSuSp coupled
-        (
-            forces_.calcCoupled(p, td, dt, mass, Re, td.muc())
-        );
-        const forceSuSp other
-        (
-            forces_.calcNonCoupled(p, td, dt, mass, Re, td.muc())
-        );
-        const vector owed = p.owed()/dt;
-        const vector Su = coupled.Su() + other.Su() + owed;
+        gasLoads loads(forces_, p, td, dt, drags);
+        const forceSuSp& coupled = loads.coupled();
+        const vector Su = coupled.Su() + loads.nonCoupled().Su();
 
         if
         (
@@ -136,22 +134,20 @@ void Foam::dustCloud::setGasLoads
                 << exit(FatalError);
         }
 
-        dem::GasLoad load;
-        load.Sp = coupled.Sp();
-        load.Uc = toVec3(td.Uc());
-        load.Su = toVec3(Su);
-
-        // Stokes: 8 pi mu r^3. The vorticity's share is left out: it changes
-        // with the last bits of the decomposition, and its surface speed is
-        // 1e-3 and less of the particle's.
-        load.SpOmega = constant::mathematical::pi*td.muc()*pow3(p.d());
+        const bool flies =
+            p.state() != dustParcel::resting
+         && p.state() != dustParcel::inContact;
+        dem::GasLoad load =
+            flies ? loads.flight(td.Uc() - Umean, atPoint) : loads.here();
+        const vector owed = p.owed()/dt;
+        load.Su += toVec3(owed);
 
         system.setGasLoad(std::size_t(p.demIndex()), load);
         p.loaded() = true;
 
         if (twoWay_)
         {
-            nonCoupled[parceli] = other.Su() + owed;
+            nonCoupled[parceli] = loads.nonCoupled().Su() + owed;
         }
     }
 }
