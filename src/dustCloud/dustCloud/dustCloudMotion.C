@@ -280,7 +280,6 @@ void Foam::dustCloud::motion(dustParcel::trackingData& td)
 
     scalarField Sp;
     vectorField nonCoupled;
-    escaping_ = tally();
     d.gasStep = dem::StepReport();
 
     scalar left = solution_.trackTime();
@@ -335,8 +334,12 @@ void Foam::dustCloud::motion(dustParcel::trackingData& td)
     }
 
     d.totals.add(d.gasStep);
+    countEscapes();
+}
 
-    // Escapes of all ranks
+
+void Foam::dustCloud::countEscapes()
+{
     forAll(escaping_, patchi)
     {
         escaped_[patchi].count +=
@@ -344,6 +347,7 @@ void Foam::dustCloud::motion(dustParcel::trackingData& td)
         escaped_[patchi].mass +=
             returnReduce(escaping_[patchi].mass, sumOp<scalar>());
     }
+    escaping_ = tally();
 }
 
 

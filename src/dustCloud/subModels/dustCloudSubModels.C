@@ -19,10 +19,12 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-// OpenFOAM's sub-models for our cloud, each selectable by its usual name.
+// OpenFOAM's sub-models for our cloud, each selectable by its usual name. Some
+// are completed by defaults, see modelTable.H.
 // Our own are added where they are defined.
 
 #include "dustCloud.H"
+#include "completedModels.H"
 
 #include "makeParcelCloudFunctionObjects.H"
 
@@ -49,6 +51,53 @@ makeParcelSurfaceFilmModels(dustCloud);
 namespace Foam
 {
     makeParcelTurbulenceDispersionModels(dustCloud);
+
+    typedef dustCloud::kinematicCloudType cloudType;
+
+    template<template<class> class Force>
+    static void completeForce()
+    {
+        ParticleForce<cloudType>::dictionaryConstructorTablePtr_->set
+        (
+            Force<cloudType>::typeName,
+            completedForce<Force<cloudType>>::New
+        );
+    }
+
+    template<template<class> class Injector>
+    static void completeInjector()
+    {
+        InjectionModel<cloudType>::dictionaryConstructorTablePtr_->set
+        (
+            Injector<cloudType>::typeName,
+            completedInjector<Injector<cloudType>>::New
+        );
+    }
+
+    // After OpenFOAM's own, above
+    static const bool completed = []
+    {
+        completeForce<WenYuDragForce>();
+        completeForce<ErgunWenYuDragForce>();
+        completeForce<PlessisMasliyahDragForce>();
+        completeForce<SaffmanMeiLiftForce>();
+        completeForce<PressureGradientForce>();
+        completeForce<NonInertialFrameForce>();
+        completeForce<ParamagneticForce>();
+
+        completeInjector<CellZoneInjection>();
+        completeInjector<ConeInjection>();
+        completeInjector<ConeNozzleInjection>();
+        completeInjector<FieldActivatedInjection>();
+        completeInjector<InjectedParticleDistributionInjection>();
+        completeInjector<InjectedParticleInjection>();
+        completeInjector<KinematicLookupTableInjection>();
+        completeInjector<ManualInjection>();
+        completeInjector<PatchInjection>();
+        completeInjector<PatchFlowRateInjection>();
+
+        return true;
+    }();
 }
 
 
