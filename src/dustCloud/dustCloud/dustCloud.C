@@ -771,7 +771,11 @@ void Foam::dustCloud::evolve(const scalar gasSeconds)
     }
 
     snapshotPtr_.reset();
+    #if OPENFOAM >= 2006
+    functions_.preEvolve(*tdPtr_);
+    #else
     functions_.preEvolve();
+    #endif
 
     if (twoWay_)
     {
@@ -787,7 +791,11 @@ void Foam::dustCloud::evolve(const scalar gasSeconds)
         scaleSources();
     }
     updateCellOccupancy();
+    #if OPENFOAM >= 2006
+    functions_.postEvolve(*tdPtr_);
+    #else
     functions_.postEvolve();
+    #endif
 
     if (!gasFrozen_)
     {

@@ -192,8 +192,12 @@ void Foam::dustCloud::inject(dustParcel::trackingData& td, const bool streams)
 
     List<scalarList> all(Pstream::nProcs());
     all[Pstream::myProcNo()] = mine;
+    #if OPENFOAM >= 2206
+    Pstream::allGatherList(all);
+    #else
     Pstream::gatherList(all);
     Pstream::scatterList(all);
+    #endif
 
     DynamicList<candidate> candidates;
     label myStart = 0;

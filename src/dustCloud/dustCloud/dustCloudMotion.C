@@ -205,8 +205,12 @@ void Foam::dustCloud::settleBlocked()
     {
         mine[i] = blocked_[i]->x();
     }
+    #if OPENFOAM >= 2206
+    Pstream::allGatherList(all);
+    #else
     Pstream::gatherList(all);
     Pstream::scatterList(all);
+    #endif
 
     List<labelList> owner(all.size());
     List<labelList> cell(all.size());

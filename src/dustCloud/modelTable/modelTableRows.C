@@ -206,15 +206,16 @@ const std::vector<Foam::modelTable::row>& Foam::modelTable::rows()
             "manualInjection or dustPatchInjection", "", "", {}, false
         },
         {
-            injection, "injectedParticleInjection", true,
-            "those of a cloud that extractEulerianParticles wrote",
-            "", oneParticle + " positionOffset (0 0 0);", "", {}, true
+            injection, "injectedParticleInjection", false,
+            "not tried with dustFoam: wants a cloud of "
+            "extractEulerianParticles",
+            "manualInjection", "", "", {}, false
         },
         {
-            injection, "injectedParticleDistributionInjection", true,
-            "drawn from such a cloud",
-            "", oneParticle + " positionOffset (0 0 0);"
-            " applyDistributionMassTotal no;", "", {}, true
+            injection, "injectedParticleDistributionInjection", false,
+            "not tried with dustFoam: wants a cloud of "
+            "extractEulerianParticles",
+            "dustPatchInjection", "", "", {}, false
         }
     });
 

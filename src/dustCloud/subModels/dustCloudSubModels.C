@@ -37,6 +37,12 @@ License
 #include "makeParcelSurfaceFilmModels.H"
 #include "makeParcelTurbulenceDispersionModels.H"
 
+#if OPENFOAM >= 2012
+#include "makeMPPICParcelDampingModels.H"
+#include "makeMPPICParcelIsotropyModels.H"
+#include "makeMPPICParcelPackingModels.H"
+#endif
+
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
 makeParcelCloudFunctionObjects(dustCloud);
@@ -47,6 +53,13 @@ makeParcelInjectionModels(dustCloud);
 makeParcelPatchInteractionModels(dustCloud);
 makeParcelStochasticCollisionModels(dustCloud);
 makeParcelSurfaceFilmModels(dustCloud);
+
+#if OPENFOAM >= 2012
+// Asked for by every kinematic cloud; left at their defaults, none
+makeMPPICParcelDampingModels(dustCloud);
+makeMPPICParcelIsotropyModels(dustCloud);
+makeMPPICParcelPackingModels(dustCloud);
+#endif
 
 namespace Foam
 {
@@ -89,8 +102,6 @@ namespace Foam
         completeInjector<ConeInjection>();
         completeInjector<ConeNozzleInjection>();
         completeInjector<FieldActivatedInjection>();
-        completeInjector<InjectedParticleDistributionInjection>();
-        completeInjector<InjectedParticleInjection>();
         completeInjector<KinematicLookupTableInjection>();
         completeInjector<ManualInjection>();
         completeInjector<PatchInjection>();
