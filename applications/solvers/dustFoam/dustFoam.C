@@ -51,6 +51,8 @@ Usage
       - optional constant/g; without it there is no gravity
       - the fields U and, if the gas is solved, p in the start time
 
+    dustFoam -models prints the forces, dispersion and injection models.
+
     Restart: startFrom latestTime. Exact with writeFormat binary or
     writePrecision 17.
 
@@ -65,6 +67,7 @@ Usage
 #include "surfaceInterpolationScheme.H"
 #include "clockTime.H"
 #include "dustCloud.H"
+#include "modelTable.H"
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
@@ -79,6 +82,17 @@ int main(int argc, char *argv[])
         " p; prints a scene plan, progress and a closing balance; writes"
         " lagrangian/dust, depositedMass, postProcessing/contacts."
     );
+
+    argList::addBoolOption
+    (
+        "models",
+        "Print which forces, dispersion and injection models there are, with"
+        " remarks and defaults; needs no case"
+    );
+    if (modelTable::asked(argc, argv))
+    {
+        return 0;
+    }
 
     #include "setRootCaseLists.H"
     #include "createTime.H"

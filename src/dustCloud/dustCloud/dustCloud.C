@@ -21,6 +21,7 @@ License
 
 #include "dustCloudData.H"
 #include "dustSnapshot.H"
+#include "modelTable.H"
 #include "patchWalls.H"
 
 #include "distributionModel.H"
@@ -107,35 +108,7 @@ const Foam::word& Foam::dustCloud::checkInput
         }
     }
 
-    // OpenFOAM itself aborts on an unknown force
-    const dictionary& forces = subModels.subDict("particleForces");
-    for (const entry& e : forces)
-    {
-        const auto& table =
-            *ParticleForce<kinematicCloudType>::dictionaryConstructorTablePtr_;
-
-        if (!table.found(e.keyword()))
-        {
-            dustProperties::error
-            (
-                forces,
-                e.keyword(),
-                "there is no such particle force",
-                dustProperties::listed(table.sortedToc())
-            );
-        }
-    }
-    if (forces.found("virtualMass"))
-    {
-        dustProperties::error
-        (
-            forces,
-            "virtualMass",
-            "the DEM system knows no added mass (in air it is about 1e-3 of "
-            "the particle's)",
-            "all other forces"
-        );
-    }
+    modelTable::check(subModels, mesh);
 
     for (const entry& e : subModels.subDict("injectionModels"))
     {
@@ -484,8 +457,15 @@ void Foam::dustCloud::decideCoupling()
 
     // OpenFOAM's own exchange is not used. cloudSolution has no other door
     // than its dictionary.
-    const_cast<dictionary&>(solution_.dict()).set("coupled", "false");
+    dictionary& solution = const_cast<dictionary&>(solution_.dict());
+    solution.set("coupled", "false");
     solution_.read();
+
+    modelTable::addSchemes
+    (
+        subModelProperties_.subDict("particleForces"),
+        solution.subDict("interpolationSchemes")
+    );
 }
 
 
@@ -518,6 +498,7 @@ Foam::dustCloud::dustCloud
     escaped_(mesh_.boundaryMesh().nNonProcessor()),
     escaping_(escaped_.size()),
     nextId_(0),
+    injectionKey_(0),
     snapshotTimeIndex_(-1)
 {
     if (!solution_.active() || solution_.steadyState())
@@ -784,17 +765,27 @@ void Foam::dustCloud::evolve(const scalar gasSeconds)
     }
 
     snapshotPtr_.reset();
+    #if OPENFOAM >= 2006
+    functions_.preEvolve(*tdPtr_);
+    #else
     functions_.preEvolve();
+    #endif
 
-    inject(*tdPtr_);
+    inject(*tdPtr_, false);
     motion(*tdPtr_);
+    inject(*tdPtr_, true);
     updateVoidFraction();
+
     if (twoWay_)
     {
         closeExchange();
     }
     updateCellOccupancy();
+    #if OPENFOAM >= 2006
+    functions_.postEvolve(*tdPtr_);
+    #else
     functions_.postEvolve();
+    #endif
 
     if (!gasFrozen_)
     {

@@ -113,8 +113,15 @@ void Foam::dustCloud::storeCounters()
     outputProperties_.set("ledger", ledger);
 
     // The injectors store theirs when they print them
+    #if OPENFOAM >= 2212
+    const auto level = messageStream::level;
+    messageStream::level = 0;
+    injectors_.info();
+    messageStream::level = level;
+    #else
     OStringStream ignored;
     injectors_.info(ignored);
+    #endif
 }
 
 
@@ -254,9 +261,13 @@ void Foam::dustCloud::writeDeposit() const
 
 bool Foam::dustCloud::writeObject
 (
+    #if OPENFOAM >= 2006
+    IOstreamOption streamOpt,
+    #else
     IOstream::streamFormat fmt,
     IOstream::versionNumber ver,
     IOstream::compressionType cmp,
+    #endif
     const bool valid
 ) const
 {
@@ -275,8 +286,13 @@ bool Foam::dustCloud::writeObject
         std::copy(state.begin(), state.end(), p.blob().begin());
     }
 
+    #if OPENFOAM >= 2006
+    const bool ok =
+        KinematicCloud<Cloud<dustParcel>>::writeObject(streamOpt, valid);
+    #else
     const bool ok =
         KinematicCloud<Cloud<dustParcel>>::writeObject(fmt, ver, cmp, valid);
+    #endif
 
     for (dustParcel& p : self)
     {
@@ -284,6 +300,13 @@ bool Foam::dustCloud::writeObject
     }
 
     self.storeCounters();
+    #if OPENFOAM >= 2006
+    outputProperties_.writeObject
+    (
+        IOstreamOption(IOstream::ASCII, mesh_.time().writeCompression()),
+        true
+    );
+    #else
     outputProperties_.writeObject
     (
         IOstream::ASCII,
@@ -291,6 +314,7 @@ bool Foam::dustCloud::writeObject
         mesh_.time().writeCompression(),
         true
     );
+    #endif
 
     writeDeposit();
 

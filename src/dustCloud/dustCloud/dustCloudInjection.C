@@ -20,6 +20,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "dustCloudData.H"
+#include "modelTable.H"
 
 #include "OStringStream.H"
 #include "InjectionModelList.H"
@@ -28,6 +29,7 @@ License
 #include "StochasticCollisionModel.H"
 #include "SurfaceFilmModel.H"
 
+#include <cstring>
 #include <unordered_map>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -119,7 +121,7 @@ public:
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::dustCloud::inject(dustParcel::trackingData& td)
+void Foam::dustCloud::inject(dustParcel::trackingData& td, const bool streams)
 {
     demData& d = *dem_;
     const stopwatch watch;
@@ -127,9 +129,20 @@ void Foam::dustCloud::inject(dustParcel::trackingData& td)
     // Which injector made which parcel; until it has a DEM particle, demIndex
     // holds -2 - injector
     td.relocating = false;
+    td.displacing = streams;
 
     forAll(injectors_, injectori)
     {
+        if (modelTable::streams(injectors_[injectori].modelType()) != streams)
+        {
+            continue;
+        }
+
+        // Keyed, so that a restart goes on as if there had been none; and for
+        // what is drawn for each parcel, see setParcelThermoProperties
+        injectionKey_ = seed(injectori, mesh_.time().timeIndex(), 1);
+        rndGen_ = Random(injectionKey_);
+
         injectors_[injectori].inject(*this, td);
 
         for (dustParcel& p : *this)
@@ -140,6 +153,8 @@ void Foam::dustCloud::inject(dustParcel::trackingData& td)
             }
         }
     }
+
+    td.displacing = false;
 
     // Every rank decides on the parcels of all ranks, so that all agree
     const label width = 7;
@@ -177,8 +192,12 @@ void Foam::dustCloud::inject(dustParcel::trackingData& td)
 
     List<scalarList> all(Pstream::nProcs());
     all[Pstream::myProcNo()] = mine;
+    #if OPENFOAM >= 2206
+    Pstream::allGatherList(all);
+    #else
     Pstream::gatherList(all);
     Pstream::scatterList(all);
+    #endif
 
     DynamicList<candidate> candidates;
     label myStart = 0;
@@ -312,6 +331,22 @@ void Foam::dustCloud::inject(dustParcel::trackingData& td)
 
     addArrivals();
 
+    if (streams && Pstream::parRun())
+    {
+        // On their way some have left this rank
+        td.relocating = true;
+        Cloud<dustParcel>::move(*this, td, solution_.trackTime());
+        td.relocating = false;
+
+        if (returnReduce(blocked_.size(), sumOp<label>()))
+        {
+            settleBlocked();
+        }
+        removeLeavers();
+        addArrivals();
+        countEscapes();
+    }
+
     d.injectionSeconds += watch.seconds();
 }
 
@@ -321,10 +356,17 @@ void Foam::dustCloud::inject(dustParcel::trackingData& td)
 void Foam::dustCloud::setParcelThermoProperties
 (
     parcelType& parcel,
-    const scalar
+    const scalar lagrangianDt
 )
 {
     parcel.rho() = density_;
+
+    // Size and velocity are drawn next, on the parcel's rank only: from its
+    // time of injection, which no other of its injector has
+    label key[2];
+    static_assert(sizeof(key) >= sizeof(lagrangianDt), "32 bit each at least");
+    std::memcpy(key, &lagrangianDt, sizeof(lagrangianDt));
+    rndGen_ = Random(seed(injectionKey_, key[0], key[1]));
 }
 
 

@@ -204,8 +204,12 @@ void Foam::dustCloud::settleBlocked()
     {
         mine[i] = blocked_[i]->x();
     }
+    #if OPENFOAM >= 2206
+    Pstream::allGatherList(all);
+    #else
     Pstream::gatherList(all);
     Pstream::scatterList(all);
+    #endif
 
     List<labelList> owner(all.size());
     List<labelList> cell(all.size());
@@ -278,7 +282,6 @@ void Foam::dustCloud::motion(dustParcel::trackingData& td)
     demData& d = *dem_;
 
     vectorField nonCoupled;
-    escaping_ = tally();
     if (twoWay_)
     {
         exchangePtr_->reset();
@@ -341,8 +344,12 @@ void Foam::dustCloud::motion(dustParcel::trackingData& td)
     }
 
     d.totals.add(d.gasStep);
+    countEscapes();
+}
 
-    // Escapes of all ranks
+
+void Foam::dustCloud::countEscapes()
+{
     forAll(escaping_, patchi)
     {
         escaped_[patchi].count +=
@@ -350,6 +357,7 @@ void Foam::dustCloud::motion(dustParcel::trackingData& td)
         escaped_[patchi].mass +=
             returnReduce(escaping_[patchi].mass, sumOp<scalar>());
     }
+    escaping_ = tally();
 }
 
 

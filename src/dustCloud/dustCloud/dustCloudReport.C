@@ -20,8 +20,10 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "dustCloudData.H"
+#include "dragRange.H"
 #include "patchCurvature.H"
 #include "dustSnapshot.H"
+#include "modelTable.H"
 
 #include "InjectionModelList.H"
 #include "DispersionModel.H"
@@ -429,6 +431,36 @@ void Foam::dustCloud::printPlan() const
         d.properties.time().restTolerance > 0,
         format("restTolerance %.3g", d.properties.time().restTolerance)
     );
+    {
+        const dictionary& forces =
+            subModelProperties_.subDict("particleForces");
+        const wordList laws(modelTable::drags(forces));
+
+        line
+        (
+            "drag",
+            laws.size(),
+            laws.empty()
+          ? std::string("particleForces names no drag law: ballistic flight")
+          : std::string(laws[0])
+        );
+        if (laws.size() && d.diameters[0] > 0)
+        {
+            const scalar air = 6.6e-8;      // 20 C, 1 atm
+            const std::string remark = dragRange::slipRemark
+            (
+                laws[0],
+                d.diameters[0],
+                forces.subOrEmptyDict(laws[0])
+               .lookupOrDefault<scalar>("lambda", air),
+                format("the smallest particles, %.3g m,", d.diameters[0])
+            );
+            if (!remark.empty())
+            {
+                Info<< "  Warning: " << remark.c_str() << nl;
+            }
+        }
+    }
     line("gas solved", !gasFrozen_, d.gasReason);
     line("two-way momentum", twoWay_, d.couplingReason);
     line

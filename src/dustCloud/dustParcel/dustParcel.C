@@ -22,6 +22,7 @@ License
 #include "dustParcel.H"
 #include "Cloud.H"
 #include "IOstreams.H"
+#include "processorPolyPatch.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -137,6 +138,31 @@ Foam::dustParcel::dustParcel(const dustParcel& p, const polyMesh& mesh)
     demIndex_(-1),
     loaded_(false)
 {}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::dustParcel::displace(const scalar dt)
+{
+    const vector s(dt*U());
+    const label celli = cell();
+
+    track(s, 0);
+
+    if (!onBoundaryFace())
+    {
+        x_ += s;
+    }
+    else if (isA<processorPolyPatch>(mesh().boundaryMesh()[patch()]))
+    {
+        x_ += s;
+        moved_ = true;
+    }
+    else
+    {
+        relocate(x_, celli);
+    }
+}
 
 
 // * * * * * * * * * * * * * * * Ostream Operator  * * * * * * * * * * * * * //

@@ -586,12 +586,27 @@ void Foam::dustProperties::error
 )
 {
     const entry* ePtr = dict.findEntry(keyword, keyType::LITERAL);
+    label start = ePtr ? ePtr->startLineNumber() : dict.startLineNumber();
+    label end = ePtr ? ePtr->endLineNumber() : dict.endLineNumber();
+
+    // An entry without a value, as `gravity;`, does not know its line: that of
+    // the dictionaries around it
+    for
+    (
+        const dictionary* d = &dict;
+        start < 0 && d != &dictionary::null;
+        d = &d->parent()
+    )
+    {
+        start = d->startLineNumber();
+        end = d->endLineNumber();
+    }
 
     fatal
     (
         dict,
-        ePtr ? ePtr->startLineNumber() : dict.startLineNumber(),
-        ePtr ? ePtr->endLineNumber() : dict.endLineNumber(),
+        start,
+        end,
         "keyword '" + keyword + "' in " + dict.dictName() + ": " + reason
       + "\n    allowed: " + allowed
     );

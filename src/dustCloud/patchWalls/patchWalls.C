@@ -124,8 +124,12 @@ Foam::List<Foam::patchWalls::triangle> Foam::patchWalls::gather
 
     List<scalarList> all(Pstream::nProcs());
     all[Pstream::myProcNo()] = mine;
+    #if OPENFOAM >= 2206
+    Pstream::allGatherList(all);
+    #else
     Pstream::gatherList(all);
     Pstream::scatterList(all);
+    #endif
 
     DynamicList<triangle> result;
     for (const scalarList& numbers : all)

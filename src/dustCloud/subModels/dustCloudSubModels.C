@@ -19,10 +19,12 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-// OpenFOAM's sub-models for our cloud, each selectable by its usual name.
+// OpenFOAM's sub-models for our cloud, each selectable by its usual name. Some
+// are completed by defaults, see modelTable.H.
 // Our own are added where they are defined.
 
 #include "dustCloud.H"
+#include "completedModels.H"
 
 #include "makeParcelCloudFunctionObjects.H"
 
@@ -35,6 +37,12 @@ License
 #include "makeParcelSurfaceFilmModels.H"
 #include "makeParcelTurbulenceDispersionModels.H"
 
+#if OPENFOAM >= 2012
+#include "makeMPPICParcelDampingModels.H"
+#include "makeMPPICParcelIsotropyModels.H"
+#include "makeMPPICParcelPackingModels.H"
+#endif
+
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
 makeParcelCloudFunctionObjects(dustCloud);
@@ -46,9 +54,61 @@ makeParcelPatchInteractionModels(dustCloud);
 makeParcelStochasticCollisionModels(dustCloud);
 makeParcelSurfaceFilmModels(dustCloud);
 
+#if OPENFOAM >= 2012
+// Asked for by every kinematic cloud; left at their defaults, none
+makeMPPICParcelDampingModels(dustCloud);
+makeMPPICParcelIsotropyModels(dustCloud);
+makeMPPICParcelPackingModels(dustCloud);
+#endif
+
 namespace Foam
 {
     makeParcelTurbulenceDispersionModels(dustCloud);
+
+    typedef dustCloud::kinematicCloudType cloudType;
+
+    template<template<class> class Force>
+    static void completeForce()
+    {
+        ParticleForce<cloudType>::dictionaryConstructorTablePtr_->set
+        (
+            Force<cloudType>::typeName,
+            completedForce<Force<cloudType>>::New
+        );
+    }
+
+    template<template<class> class Injector>
+    static void completeInjector()
+    {
+        InjectionModel<cloudType>::dictionaryConstructorTablePtr_->set
+        (
+            Injector<cloudType>::typeName,
+            completedInjector<Injector<cloudType>>::New
+        );
+    }
+
+    // After OpenFOAM's own, above
+    static const bool completed = []
+    {
+        completeForce<WenYuDragForce>();
+        completeForce<ErgunWenYuDragForce>();
+        completeForce<PlessisMasliyahDragForce>();
+        completeForce<SaffmanMeiLiftForce>();
+        completeForce<PressureGradientForce>();
+        completeForce<NonInertialFrameForce>();
+        completeForce<ParamagneticForce>();
+
+        completeInjector<CellZoneInjection>();
+        completeInjector<ConeInjection>();
+        completeInjector<ConeNozzleInjection>();
+        completeInjector<FieldActivatedInjection>();
+        completeInjector<KinematicLookupTableInjection>();
+        completeInjector<ManualInjection>();
+        completeInjector<PatchInjection>();
+        completeInjector<PatchFlowRateInjection>();
+
+        return true;
+    }();
 }
 
 

@@ -433,9 +433,15 @@ void Foam::dustPatchInjection::setProperties
 }
 
 
+#if OPENFOAM >= 2212
+void Foam::dustPatchInjection::info()
+{
+    InjectionModel<cloudType>::info();
+#else
 void Foam::dustPatchInjection::info(Ostream& os)
 {
     InjectionModel<cloudType>::info(os);
+#endif
 
     if (this->writeTime())
     {
