@@ -49,7 +49,8 @@ namespace Foam
 const Foam::word& Foam::dustCloud::checkInput
 (
     const word& cloudName,
-    const volScalarField& rho
+    const volScalarField& rho,
+    const volVectorField& U
 )
 {
     const fvMesh& mesh = rho.mesh();
@@ -106,6 +107,8 @@ const Foam::word& Foam::dustCloud::checkInput
             );
         }
     }
+
+    checkDispersion(subModels, U);
 
     // OpenFOAM itself aborts on an unknown force
     const dictionary& forces = subModels.subDict("particleForces");
@@ -511,7 +514,7 @@ Foam::dustCloud::dustCloud
 :
     KinematicCloud<Cloud<dustParcel>>
     (
-        checkInput(cloudName, rho),
+        checkInput(cloudName, rho, U),
         rho,
         U,
         mu,
@@ -677,6 +680,7 @@ Foam::dustCloud::dustCloud
 
     printMaterials();
     printPlan();
+    warnOfDispersion();
 }
 
 
