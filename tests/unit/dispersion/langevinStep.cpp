@@ -179,10 +179,9 @@ TEST(langevinStep, wellMixed)
     {
         0, 5, 10, 20, 30, 40, 60, 80, 100, 120, 150, 180, 200, 250, 300, 350, 400
     };
-    for (const double dtPlus : {4.0, 10.0, 100.0})
+    for (const double dtPlus : {5.0, 10.0, 100.0})
     {
-        const int n = dtPlus < 5 ? 10000 : 24000;
-        const auto c = channel(edges, dtPlus, 4000, n);
+        const auto c = channel(edges, dtPlus, 4000, 24000);
         for (std::size_t b = 0; b < c.size(); ++b)
         {
             std::printf("dt+ %g: y+ %g to %g: %.3f\n", dtPlus, edges[b], edges[b + 1], c[b]);
