@@ -50,7 +50,8 @@ namespace Foam
 const Foam::word& Foam::dustCloud::checkInput
 (
     const word& cloudName,
-    const volScalarField& rho
+    const volScalarField& rho,
+    const volVectorField& U
 )
 {
     const fvMesh& mesh = rho.mesh();
@@ -109,6 +110,7 @@ const Foam::word& Foam::dustCloud::checkInput
     }
 
     modelTable::check(subModels, mesh);
+    checkDispersion(subModels, U);
 
     for (const entry& e : subModels.subDict("injectionModels"))
     {
@@ -483,7 +485,7 @@ Foam::dustCloud::dustCloud
 :
     KinematicCloud<Cloud<dustParcel>>
     (
-        checkInput(cloudName, rho),
+        checkInput(cloudName, rho, U),
         rho,
         U,
         mu,
@@ -683,6 +685,7 @@ Foam::dustCloud::dustCloud
 
     printMaterials();
     printPlan();
+    warnOfDispersion();
 }
 
 

@@ -103,17 +103,7 @@ void Foam::dustCloud::setGasLoads
 
         if (d.dispersion)
         {
-            // Keyed, so that neither restart nor decomposition matter
-            rndGen_ = Random
-            (
-                seed
-                (
-                    p.origId(),
-                    p.origProc(),
-                    seed(mesh_.time().timeIndex(), subStep, 0)
-                )
-            );
-            p.calcDispersion(*this, td, dt);
+            td.Uc() += fluctuation(p, td, dt, subStep);
         }
 
         gasLoads loads(forces_, p, td, dt, drags);

@@ -491,6 +491,7 @@ void Foam::dustCloud::printPlan() const
         "dispersion",
         d.dispersion,
         "dispersionModel " + subModelProperties_.get<word>("dispersionModel")
+      + (d.dispersion ? ": resting particles get a new load in each step" : "")
     );
     line
     (

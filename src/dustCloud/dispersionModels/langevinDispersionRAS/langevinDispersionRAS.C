@@ -1,0 +1,401 @@
+/*---------------------------------------------------------------------------*\
+    dustFoam: adhesive dust in ventilation ducts
+-------------------------------------------------------------------------------
+License
+    This file is part of dustFoam.
+
+    dustFoam is free software: you can redistribute it and/or modify it under
+    the terms of the GNU General Public License as published by the Free
+    Software Foundation, either version 3 of the License, or (at your option)
+    any later version.
+
+    dustFoam is distributed in the hope that it will be useful, but WITHOUT ANY
+    WARRANTY; without even the implied warranty of MERCHANTABILITY or FITNESS
+    FOR A PARTICULAR PURPOSE.  See the GNU General Public License for more
+    details.
+
+    You should have received a copy of the GNU General Public License along
+    with dustFoam.  If not, see <http://www.gnu.org/licenses/>.
+\*---------------------------------------------------------------------------*/
+
+#include "langevinDispersionRAS.H"
+#include "dustProperties.H"
+#include "langevinStep.H"
+
+#include "fvc.H"
+#include "gradScheme.H"
+#include "indexedOctree.H"
+#include "IStringStream.H"
+#include "treeDataTriSurface.H"
+#include "turbulenceModel.H"
+#include "wallPolyPatch.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+    defineTypeNameAndDebug(langevinDispersionRAS, 0);
+
+    DispersionModel<dustCloud::kinematicCloudType>::
+        adddictionaryConstructorToTable<langevinDispersionRAS>
+        addLangevinDispersionRASToTable_;
+
+
+    //- The last bits of cell centres and of what is summed over faces depend on
+    //  the order of faces, and that on the decomposition
+    static scalar rounded(const scalar x)
+    {
+        return float(x);
+    }
+
+    static vector rounded(const vector& v)
+    {
+        return vector(float(v.x()), float(v.y()), float(v.z()));
+    }
+
+    //- L of R = L L^T; R is floored, as it may be singular at walls
+    static tensor cholesky(const symmTensor& R)
+    {
+        const scalar floor = 1e-12*tr(R) + VSMALL;
+        const scalar a = sqrt(max(R.xx(), floor));
+        const scalar b = R.xy()/a;
+        const scalar c = R.xz()/a;
+        const scalar d = sqrt(max(R.yy() - b*b, floor));
+        const scalar e = (R.yz() - b*c)/d;
+        return tensor
+        (
+            a, 0, 0,
+            b, d, 0,
+            c, e, sqrt(max(R.zz() - c*c - e*e, floor))
+        );
+    }
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+const Foam::turbulenceModel& Foam::langevinDispersionRAS::turbulence() const
+{
+    return this->owner().mesh().template lookupObject<turbulenceModel>
+    (
+        IOobject::groupName
+        (
+            turbulenceModel::propertiesName,
+            this->owner().U().group()
+        )
+    );
+}
+
+
+void Foam::langevinDispersionRAS::setWalls(const volScalarField& k)
+{
+    const turbulenceModel& turb = turbulence();
+    const scalar Cmu = 0.09;
+
+    faceValues_.setSize(wallPatches_.size());
+    forAll(wallPatches_, i)
+    {
+        const label patchi = wallPatches_[i];
+        const fvPatchVectorField& U = this->owner().U().boundaryField()[patchi];
+        const scalarField nu(turb.nu(patchi));
+        const scalarField nuEff(turb.nuEff(patchi));
+        const vectorField gradU(U.snGrad());
+        const vectorField n(U.patch().nf());
+        const labelUList& cells = U.patch().faceCells();
+
+        vectorField& values = faceValues_[i];
+        values.setSize(U.size());
+        forAll(values, facei)
+        {
+            const vector past = gradU[facei] - (gradU[facei] & n[facei])*n[facei];
+            values[facei] = vector
+            (
+                rounded
+                (
+                    max
+                    (
+                        sqrt(nuEff[facei]*mag(past)),
+                        pow025(Cmu)*sqrt(max(k[cells[facei]], scalar(0)))
+                    )
+                ),
+                rounded(nu[facei]),
+                0
+            );
+        }
+    }
+
+    walls_ = patchWalls::gather(this->owner().mesh(), wallPatches_, faceValues_);
+}
+
+
+void Foam::langevinDispersionRAS::findWalls()
+{
+    const fvMesh& mesh = this->owner().mesh();
+
+    nearest_.setSize(mesh.nCells(), -1);
+    if (walls_.empty())
+    {
+        return;
+    }
+
+    // The same tree on every rank
+    pointField points(3*walls_.size());
+    List<labelledTri> triangles(walls_.size());
+    forAll(walls_, i)
+    {
+        for (label v = 0; v < 3; ++v)
+        {
+            points[3*i + v] = walls_[i].vertices[v];
+        }
+        triangles[i] = labelledTri(3*i, 3*i + 1, 3*i + 2, 0);
+    }
+    const triSurface surface(triangles, points);
+    treeBoundBox box(points);
+    box.min() -= 1e-3*box.mag()*vector::one;
+    box.max() += 1e-3*box.mag()*vector::one;
+    const indexedOctree<treeDataTriSurface> tree
+    (
+        treeDataTriSurface(false, surface, 0),
+        box,
+        8,
+        10,
+        3
+    );
+
+    forAll(nearest_, celli)
+    {
+        nearest_[celli] =
+            tree.findNearest(rounded(mesh.C()[celli]), sqr(GREAT)).index();
+    }
+}
+
+
+void Foam::langevinDispersionRAS::setCells(const volScalarField& k)
+{
+    const fvMesh& mesh = this->owner().mesh();
+    const turbulenceModel& turb = turbulence();
+    const volScalarField epsilon(turb.epsilon());
+
+    const volScalarField s
+    (
+        "s",
+        sqrt(2.0/3*max(k, dimensionedScalar(k.dimensions(), Zero)))
+    );
+    const volVectorField gradS
+    (
+        fv::gradScheme<scalar>::New
+        (
+            mesh,
+            IStringStream("cellLimited Gauss linear 1")()
+        )().grad(s)
+    );
+
+    // Reynolds-stress models keep R
+    tmp<volTensorField> tL;
+    tmp<volVectorField> tDivL;
+    if (mesh.foundObject<volSymmTensorField>("R"))
+    {
+        const volSymmTensorField R(turb.R());
+        tL = tmp<volTensorField>
+        (
+            new volTensorField("L", s*tensor(tensor::I))
+        );
+        volTensorField& L = tL.ref();
+        forAll(L, celli)
+        {
+            L[celli] = cholesky(R[celli]);
+        }
+        forAll(L.boundaryField(), patchi)
+        {
+            forAll(L.boundaryField()[patchi], facei)
+            {
+                L.boundaryFieldRef()[patchi][facei] =
+                    cholesky(R.boundaryField()[patchi][facei]);
+            }
+        }
+        tDivL = fvc::div(mesh.Sf() & fvc::interpolate(L));
+    }
+
+    seen_.setSize(mesh.nCells());
+    forAll(seen_, celli)
+    {
+        turbulenceSeen& t = seen_[celli];
+        t.origin = rounded(mesh.C()[celli]);
+        t.s = s[celli];
+        t.gradS = rounded(gradS[celli]);
+        t.TFar = timeScale_*k[celli]/max(epsilon[celli], VSMALL);
+        t.TFar = max(t.TFar, ROOTVSMALL);
+
+        if (tL.valid() && t.s > ROOTVSMALL)
+        {
+            t.B = tL()[celli]/t.s;
+            t.divB = rounded(tDivL()[celli]) - (t.gradS & t.B);
+        }
+
+        const label walli = nearest_[celli];
+        if (walli >= 0)
+        {
+            const auto& wall = walls_[walli];
+            const triPointRef triangle
+            (
+                wall.vertices[0],
+                wall.vertices[1],
+                wall.vertices[2]
+            );
+            const vector d =
+                t.origin - triangle.nearestPoint(t.origin).rawPoint();
+            t.y = mag(d);
+            t.n = t.y > VSMALL ? d/t.y : vector(1, 0, 0);
+            t.uTau = wall.value.x();
+            t.nu = wall.value.y();
+        }
+    }
+}
+
+
+void Foam::langevinDispersionRAS::useOwnWall
+(
+    turbulenceSeen& t,
+    const label celli,
+    const point& x
+) const
+{
+    const polyMesh& mesh = this->owner().mesh();
+    const polyBoundaryMesh& patches = mesh.boundaryMesh();
+    scalar nearest = GREAT;
+
+    for (const label facei : mesh.cells()[celli])
+    {
+        if (mesh.isInternalFace(facei))
+        {
+            continue;
+        }
+        const label i = wallPatches_.find(patches.whichPatch(facei));
+        if (i < 0)
+        {
+            continue;
+        }
+        const face& f = mesh.faces()[facei];
+        const scalar y = f.nearestPoint(x, mesh.points()).distance();
+
+        if (y < nearest)
+        {
+            const label own = patches[wallPatches_[i]].whichFace(facei);
+            nearest = y;
+            t.n = -f.unitNormal(mesh.points());
+            t.y = y + (t.n & (t.origin - x));
+            t.uTau = faceValues_[i][own].x();
+            t.nu = faceValues_[i][own].y();
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::langevinDispersionRAS::langevinDispersionRAS
+(
+    const dictionary& dict,
+    cloudType& owner
+)
+:
+    DispersionModel<cloudType>(owner),
+    timeScale_(0.3)
+{
+    const dictionary coeffs
+    (
+        dict.subOrEmptyDict("langevinDispersionRASCoeffs")
+    );
+    dustProperties::checkKeywords(coeffs, {"timeScale"});
+    coeffs.readIfPresent("timeScale", timeScale_);
+    if (!(timeScale_ > 0))
+    {
+        dustProperties::error
+        (
+            coeffs,
+            "timeScale",
+            "T = C k/epsilon with C " + Foam::name(timeScale_),
+            "> 0; 0.3 is usual"
+        );
+    }
+
+    for (const polyPatch& pp : owner.mesh().boundaryMesh())
+    {
+        if (isA<wallPolyPatch>(pp))
+        {
+            wallPatches_.append(pp.index());
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::langevinDispersionRAS::cacheFields(const bool store)
+{
+    if (!store)
+    {
+        return;
+    }
+    const volScalarField k(turbulence().k());
+
+    setWalls(k);
+    if (nearest_.size() != this->owner().mesh().nCells())
+    {
+        findWalls();
+    }
+    setCells(k);
+}
+
+
+Foam::vector Foam::langevinDispersionRAS::fluctuation
+(
+    dustParcel& p,
+    const counterRandom::counter& id,
+    const vector& Uc,
+    const scalar tau,
+    const scalar dt
+) const
+{
+    turbulenceSeen t(seen_[p.cell()]);
+    useOwnWall(t, p.cell(), p.x());
+    t.along = turbulenceSeen::tangent(t.n, Uc);
+
+    if (p.tTurb() <= 0)
+    {
+        langevinStep::start(id, p.UTurb());
+    }
+    p.tTurb() += dt;
+
+    return langevinStep::advance
+    (
+        t,
+        id,
+        p.x(),
+        p.U(),
+        Uc,
+        tau,
+        dt,
+        p.UTurb()
+    );
+}
+
+
+Foam::vector Foam::langevinDispersionRAS::update
+(
+    const scalar,
+    const label,
+    const vector&,
+    const vector&,
+    vector&,
+    scalar&
+)
+{
+    FatalErrorInFunction
+        << typeName << " needs the particle: see fluctuation()"
+        << abort(FatalError);
+    return Zero;
+}
+
+
+// ************************************************************************* //
