@@ -26,7 +26,7 @@ License
 
 #include "distributionModel.H"
 #include "IStringStream.H"
-#include "vectorIOField.H"
+#include "GlobalIOField.H"
 #include "wallPolyPatch.H"
 
 #include "InjectionModelList.H"
@@ -178,7 +178,8 @@ const Foam::word& Foam::dustCloud::checkInput
          && !model.lookupOrDefault("ignoreOutOfBounds", false)
         )
         {
-            const vectorIOField positions
+            // Global, as the injector reads it: one file for all ranks
+            const GlobalIOField<vector> positions
             (
                 IOobject
                 (
@@ -679,6 +680,7 @@ Foam::dustCloud::dustCloud
     decideCoupling();
 
     readCounters();
+    checkCounters();
     d.system->setTime(mesh_.time().value());
     addArrivals();
     prepareExchange();

@@ -89,6 +89,27 @@ void Foam::dustCloud::readCounters()
 }
 
 
+void Foam::dustCloud::checkCounters() const
+{
+    const label expected = injected_.count - escaped().count;
+    const label found = returnReduce(size(), sumOp<label>());
+
+    if (found != expected)
+    {
+        FatalErrorInFunction
+            << "The files of time " << mesh_.time().timeName()
+            << " do not belong together: " << outputProperties_.objectPath()
+            << " tells of " << expected << " particles ("
+            << injected_.count << " injected, " << escaped().count
+            << " escaped through patches that there are), but "
+            << "lagrangian/" << name() << " holds " << found << nl
+            << "    Restore lagrangian/" << name() << " (of every rank), or"
+            << " start from another time; to start without particles, delete "
+            << "uniform/lagrangian/" << name() << ", too" << exit(FatalError);
+    }
+}
+
+
 void Foam::dustCloud::storeCounters()
 {
     dictionary ledger;

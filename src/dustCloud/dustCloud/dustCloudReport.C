@@ -212,6 +212,32 @@ void Foam::dustCloud::printMaterials() const
                         f.stableStep
                     ).c_str() << nl;
 
+                // Half a radius: far beyond every law here, and what wrong
+                // units lead to
+                const scalar largestOverlap =
+                    max(f.delta0, f.impactOverlap)/diameter;
+                if (largestOverlap > 0.25)
+                {
+                    dustProperties::error
+                    (
+                        particleProperties_.subDict("materials"),
+                        table.materials()[std::size_t(i)].name,
+                        format
+                        (
+                            "particles of %.3g m in contact %s overlap by "
+                            "%.3g diameters (chi %.3g, effective Young's "
+                            "modulus %.3g Pa): are the moduli in Pa, the "
+                            "sizes in m?",
+                            diameter,
+                            pair.c_str(),
+                            largestOverlap,
+                            chi,
+                            table.constants(dust, i).E
+                        ),
+                        "materials and reducedStiffness/ratio with less than "
+                        "0.25 diameters"
+                    );
+                }
                 holds = wall ? min(holds, f.R/(0.5*diameter)) : holds;
                 overlap = max(overlap, f.impactOverlap/diameter);
                 lowTabor = min(lowTabor, f.tabor);
@@ -221,17 +247,18 @@ void Foam::dustCloud::printMaterials() const
             const scalar overlapLimit = d.properties.limits().overlap;
             if (overlap > overlapLimit)
             {
+                // overlaps grow as chi^(-2/5)
+                const scalar wanted = chi*pow(overlap/overlapLimit, 2.5);
                 advice += format
                 (
                     "  Note: %s: an impact at %.3g m/s overlaps by %.2g of "
-                    "d, limit %.2g; a chi of %.2g would keep it\n",
-                    pair.c_str(),
-                    speed,
-                    overlap,
-                    overlapLimit,
-                    // overlaps grow as chi^(-2/5)
-                    min(scalar(1), chi*pow(overlap/overlapLimit, 2.5))
+                    "d, limit %.2g; ",
+                    pair.c_str(), speed, overlap, overlapLimit
                 );
+                advice +=
+                    wanted <= 1
+                  ? format("a chi of %.2g would keep it\n", wanted)
+                  : format("even chi 1 would not: the material is too soft\n");
             }
 
             // Where each adhesive law holds
@@ -900,6 +927,14 @@ void Foam::dustCloud::summarise()
     else
     {
         Info<< "BALANCE DOES NOT CLOSE";
+    }
+    if (!injected_.count && injectors_.size())
+    {
+        Info<< "; NOTHING WAS INJECTED";
+    }
+    if (refused_.count)
+    {
+        Info<< "; " << refused_.count << " refused at injection";
     }
     const bool within =
         !d.marginSteps && !d.overlapSteps && !d.ratioBelowLimit;
