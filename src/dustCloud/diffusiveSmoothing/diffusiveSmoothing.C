@@ -69,13 +69,9 @@ void Foam::diffusiveSmoothing::setWidth(const scalar width)
     width_ = width;
     diffusion_ =
         mesh_.magSf()/(4*nSteps)
-       *sqr
-        (
-            max
-            (
-                1/mesh_.deltaCoeffs(),
-                dimensionedScalar("width", dimLength, width)
-            )
+       *(
+            sqr(1/mesh_.deltaCoeffs())
+          + sqr(dimensionedScalar("width", dimLength, width))
         );
 }
 

@@ -97,23 +97,30 @@ void Foam::dustCloud::updateVoidFraction()
     }
     setSmoothingWidth();
 
-    scalarField volume(mesh_.nCells(), Zero);
+    // With first moments, see cellShares
+    cellShares place(mesh_);
+    cellShares::sums<scalar> volume(mesh_);
+    cellShares::sums<vector> flux(mesh_);
     for (const dustParcel& p : *this)
     {
-        volume[p.cell()] += p.volume();
+        place.moveTo(p.x(), p.cell(), 1.5);
+        place.add(volume, p.volume());
+        if (twoWay_)
+        {
+            place.add(flux, vector(p.volume()*p.U()));
+        }
     }
+    place.close(volume);
+
     scalarField& alpha = alphac_.primitiveFieldRef();
-    alpha = 1 - smoothingPtr_()(volume/mesh_.V());
+    alpha = 1 - smoothingPtr_()(volume.cells/mesh_.V());
     alphac_.correctBoundaryConditions();
 
     if (twoWay_)
     {
-        vectorField flux(mesh_.nCells(), Zero);
-        for (const dustParcel& p : *this)
-        {
-            flux[p.cell()] += p.volume()*p.U();
-        }
-        volumeFluxPtr_->primitiveFieldRef() = smoothingPtr_()(flux/mesh_.V());
+        place.close(flux);
+        volumeFluxPtr_->primitiveFieldRef() =
+            smoothingPtr_()(flux.cells/mesh_.V());
         volumeFluxPtr_->correctBoundaryConditions();
     }
 
@@ -135,9 +142,11 @@ void Foam::dustCloud::updateVoidFraction()
 
 void Foam::dustCloud::closeExchange()
 {
+    cellShares place(mesh_);
     for (dustParcel& p : *this)
     {
-        exchangePtr_->respond(p.cell(), p.response(), p.mass(), p.held());
+        place.moveTo(p.x(), p.cell(), 1);
+        exchangePtr_->respond(place, p.response(), p.mass(), p.held());
     }
     exchangePtr_->close
     (
@@ -152,14 +161,17 @@ void Foam::dustCloud::closeExchange()
 void Foam::dustCloud::receive(const volVectorField& UOld)
 {
     dem::System& system = *dem_->system;
-    const vectorField change
+    const vectorField changes
     (
         exchangePtr_->correction(U_, UOld, solution_.trackTime())
     );
+    cellShares place(mesh_);
+    const cellShares::samples<vector> change(place.sampled(changes));
 
     for (dustParcel& p : *this)
     {
-        const vector impulse = p.response()*change[p.cell()];
+        place.moveTo(p.x(), p.cell(), 1);
+        const vector impulse = p.response()*place.value(change);
         exchangePtr_->got(impulse);
 
         if (p.state() == dustParcel::airborne)

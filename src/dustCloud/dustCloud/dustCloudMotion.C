@@ -150,6 +150,7 @@ void Foam::dustCloud::takeMotion
 )
 {
     const dem::System& system = *dem_->system;
+    cellShares place(mesh_);
     label i = 0;
 
     for (dustParcel& p : *this)
@@ -161,9 +162,10 @@ void Foam::dustCloud::takeMotion
         {
             // In the cell where the step began
             const dem::GasExchange& e = system.gasExchange(index);
+            place.moveTo(p.x(), p.cell(), 1);
             exchangePtr_->give
             (
-                p.cell(),
+                place,
                 toVector(e.impulse) - dt*nonCoupled[i]
             );
             p.response() = p.response()*e.memory + e.response;

@@ -62,10 +62,10 @@ Foam::momentumExchange::momentumExchange
 :
     mesh_(mesh),
     smoothing_(smoothing),
-    impulse_(mesh.nCells(), Zero),
-    flying_(mesh.nCells(), Zero),
-    held_(mesh.nCells(), Zero),
-    flyingMass_(mesh.nCells(), Zero),
+    impulse_(mesh),
+    flying_(mesh),
+    held_(mesh),
+    flyingMass_(mesh),
     force_
     (
         IOobject("dustForce", mesh.time().timeName(), mesh),
@@ -90,19 +90,23 @@ Foam::momentumExchange::momentumExchange
 
 void Foam::momentumExchange::reset()
 {
-    impulse_ = Zero;
-    flying_ = Zero;
-    held_ = Zero;
-    flyingMass_ = Zero;
+    impulse_.reset();
+    flying_.reset();
+    held_.reset();
+    flyingMass_.reset();
     givenByGas_ = Zero;
     gotByParticles_ = Zero;
     exchanged_ = 0;
 }
 
 
-void Foam::momentumExchange::give(const label celli, const vector& impulse)
+void Foam::momentumExchange::give
+(
+    const cellShares& place,
+    const vector& impulse
+)
 {
-    impulse_[celli] += impulse;
+    place.add(impulse_, impulse);
     gotByParticles_ += impulse;
     exchanged_ += mag(impulse);
 }
@@ -110,7 +114,7 @@ void Foam::momentumExchange::give(const label celli, const vector& impulse)
 
 void Foam::momentumExchange::respond
 (
-    const label celli,
+    const cellShares& place,
     const scalar response,
     const scalar mass,
     const bool held
@@ -118,12 +122,12 @@ void Foam::momentumExchange::respond
 {
     if (held)
     {
-        held_[celli] += response;
+        place.add(held_, response);
     }
     else
     {
-        flying_[celli] += response;
-        flyingMass_[celli] += mass;
+        place.add(flying_, response);
+        place.add(flyingMass_, mass);
     }
 }
 
@@ -131,13 +135,18 @@ void Foam::momentumExchange::respond
 void Foam::momentumExchange::close(const scalar dt, const scalarField& gasMass)
 {
     const scalarField& V = mesh_.V();
+    const cellShares shares(mesh_);
+    shares.close(impulse_);
+    shares.close(flying_);
+    shares.close(held_);
+    shares.close(flyingMass_);
 
-    force_.primitiveFieldRef() = smoothing_(-impulse_/(V*dt));
+    force_.primitiveFieldRef() = smoothing_(-impulse_.cells/(V*dt));
     force_.correctBoundaryConditions();
 
-    const scalarField flying(smoothing_(flying_/V));
-    const scalarField held(smoothing_(held_/V));
-    const scalarField mass(smoothing_(flyingMass_/V));
+    const scalarField flying(smoothing_(flying_.cells/V));
+    const scalarField held(smoothing_(held_.cells/V));
+    const scalarField mass(smoothing_(flyingMass_.cells/V));
     const scalarField gas(gasMass/V);
 
     scalarField& resistance = resistance_.primitiveFieldRef();
