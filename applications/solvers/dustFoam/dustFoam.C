@@ -99,6 +99,7 @@ int main(int argc, char *argv[])
     #include "exactTime.H"
     #include "createMesh.H"
     #include "createFields.H"
+    #include "checkCase.H"
 
     if (dust.gasFrozen())
     {
