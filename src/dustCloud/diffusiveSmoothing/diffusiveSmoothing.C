@@ -68,9 +68,9 @@ void Foam::diffusiveSmoothing::setWidth(const scalar width)
     }
     width_ = width;
     diffusion_ =
-        mesh_.magSf()/(4*nSteps)
+        mesh_.magSf()/(2*nSteps)
        *(
-            sqr(1/mesh_.deltaCoeffs())
+            0.5*sqr(1/mesh_.deltaCoeffs())
           + sqr(dimensionedScalar("width", dimLength, width))
         );
 }
