@@ -1668,11 +1668,16 @@ std::vector<double> System::packState(std::size_t i) const
 }
 
 
-void System::unpackState(std::size_t i, const std::vector<double>& state)
+std::vector<int> System::unpackState
+(
+    std::size_t i,
+    const std::vector<double>& state,
+    const std::vector<int>& wallNow
+)
 {
     Implementation& s = *impl_;
     s.checked(i);
-    if (state.empty()) return;
+    if (state.empty()) return {};
     if (state.size() < restNumbers || (state.size() - restNumbers)%contactNumbers)
     {
         throw inputError
@@ -1684,22 +1689,39 @@ void System::unpackState(std::size_t i, const std::vector<double>& state)
           + " per contact"
         );
     }
+    std::vector<ContactRecord> contacts;
     unpackRest
     (
-        state.data(), (state.size() - restNumbers)/contactNumbers,
-        s.rest[i], s.contacts[i]
+        state.data(), (state.size() - restNumbers)/contactNumbers, s.rest[i], contacts
     );
-    for (const ContactRecord& c : s.contacts[i])
+
+    const int nWalls = int(wallNow.empty() ? walls().patches.size() : wallNow.size());
+    std::vector<int> gone;
+    s.contacts[i].clear();
+    for (ContactRecord& c : contacts)
     {
-        if (c.wall >= int(walls().patches.size()))
+        if (c.wall >= nWalls)
         {
             throw inputError
             (
                 "contact state", "wall patch " + std::to_string(c.wall),
-                "below " + std::to_string(walls().patches.size())
+                "below " + std::to_string(nWalls)
             );
         }
+        if (c.wall >= 0 && !wallNow.empty())
+        {
+            const int now = wallNow[std::size_t(c.wall)];
+            if (now < 0)
+            {
+                gone.push_back(c.wall);
+                s.rest[i].wakeForce = -1;
+                continue;
+            }
+            c.wall = now;
+        }
+        s.contacts[i].push_back(c);
     }
+    return gone;
 }
 
 }

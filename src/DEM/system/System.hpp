@@ -152,9 +152,16 @@ public:
         //  For a pair the lower id carries it.
         std::vector<double> packState(std::size_t index) const;
 
-        //- The inverse, for a particle just added.
+        //- The inverse, for a particle just added. wallNow: what each wall patch of the time of
+        //  packing is now, -1 = gone; empty = all as they were. A contact with a patch that is
+        //  gone ends and the particle wakes; returned: that patch, as packed, once per contact.
         //  Errors: inputError where the numbers do not fit the contact laws in use
-        void unpackState(std::size_t index, const std::vector<double>& state);
+        std::vector<int> unpackState
+        (
+            std::size_t index,
+            const std::vector<double>& state,
+            const std::vector<int>& wallNow = {}
+        );
 
 
 private:

@@ -263,11 +263,16 @@ void Foam::dustCloud::addArrivals()
 
             if (p.blob().size())
             {
-                system.unpackState
+                const std::vector<int> gone = system.unpackState
                 (
                     std::size_t(p.demIndex()),
-                    std::vector<double>(p.blob().begin(), p.blob().end())
+                    std::vector<double>(p.blob().begin(), p.blob().end()),
+                    dem_->wallNow
                 );
+                for (const int wall : gone)
+                {
+                    ++dem_->ended[wall];
+                }
                 p.blob().clear();
             }
         }
@@ -679,10 +684,13 @@ Foam::dustCloud::dustCloud
 
     decideCoupling();
 
+    checkLedger();
     readCounters();
     checkCounters();
+    findAgain();
     d.system->setTime(mesh_.time().value());
     addArrivals();
+    closeWalls();
     prepareExchange();
 
     printMaterials();
@@ -706,6 +714,11 @@ Foam::dustCloud::tally Foam::dustCloud::escaped() const
     {
         sum.count += escaped_[i].count;
         sum.mass += escaped_[i].mass;
+    }
+    forAllConstIters(escapedBefore_, iter)
+    {
+        sum.count += iter.val().count;
+        sum.mass += iter.val().mass;
     }
     return sum;
 }

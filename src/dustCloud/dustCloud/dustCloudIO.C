@@ -49,18 +49,19 @@ void Foam::dustCloud::readCounters()
         ledger.readEntry("refusedMass", refused_.mass);
         ledger.readEntry("nextId", nextId_);
 
-        forAll(escaped_, patchi)
+        for (const entry& e : ledger.subDict("escaped"))
         {
-            const word& name = mesh_.boundaryMesh()[patchi].name();
-            const dictionary& escaped = ledger.subDict("escaped");
+            const label patchi =
+                mesh_.boundaryMesh().findPatchID(e.keyword());
+            tally& t =
+                patchi >= 0 && patchi < escaped_.size()
+              ? escaped_[patchi]
+              : escapedBefore_(e.keyword());
 
-            if (escaped.found(name))
-            {
-                const dictionary& patch = escaped.subDict(name);
-                patch.readEntry("count", escaped_[patchi].count);
-                patch.readEntry("mass", escaped_[patchi].mass);
-            }
+            e.dict().readEntry("count", t.count);
+            e.dict().readEntry("mass", t.mass);
         }
+        readWalls(ledger);
         return;
     }
 
@@ -101,7 +102,7 @@ void Foam::dustCloud::checkCounters() const
             << " do not belong together: " << outputProperties_.objectPath()
             << " tells of " << expected << " particles ("
             << injected_.count << " injected, " << escaped().count
-            << " escaped through patches that there are), but "
+            << " escaped), but "
             << "lagrangian/" << name() << " holds " << found << nl
             << "    Restore lagrangian/" << name() << " (of every rank), or"
             << " start from another time; to start without particles, delete "
@@ -112,27 +113,6 @@ void Foam::dustCloud::checkCounters() const
 
 void Foam::dustCloud::storeCounters()
 {
-    dictionary ledger;
-    ledger.set("injected", injected_.count);
-    ledger.set("injectedMass", injected_.mass);
-    ledger.set("refused", refused_.count);
-    ledger.set("refusedMass", refused_.mass);
-    ledger.set("nextId", nextId_);
-
-    dictionary escaped;
-    forAll(escaped_, patchi)
-    {
-        if (escaped_[patchi].count)
-        {
-            dictionary patch;
-            patch.set("count", escaped_[patchi].count);
-            patch.set("mass", escaped_[patchi].mass);
-            escaped.set(mesh_.boundaryMesh()[patchi].name(), patch);
-        }
-    }
-    ledger.set("escaped", escaped);
-    outputProperties_.set("ledger", ledger);
-
     // The injectors store theirs when they print them
     #if OPENFOAM >= 2212
     const auto level = messageStream::level;
@@ -143,6 +123,46 @@ void Foam::dustCloud::storeCounters()
     OStringStream ignored;
     injectors_.info(ignored);
     #endif
+
+    dictionary ledger;
+    ledger.set("injected", injected_.count);
+    ledger.set("injectedMass", injected_.mass);
+    ledger.set("refused", refused_.count);
+    ledger.set("refusedMass", refused_.mass);
+    ledger.set("nextId", nextId_);
+
+    wordList walls;
+    for (const label patchi : dem_->wallPatches)
+    {
+        walls.append(mesh_.boundaryMesh()[patchi].name());
+    }
+    ledger.set("walls", walls);
+
+    dictionary escaped;
+    const auto store = [&escaped](const word& name, const tally& t)
+    {
+        if (t.count)
+        {
+            dictionary patch;
+            patch.set("count", t.count);
+            patch.set("mass", t.mass);
+            escaped.set(name, patch);
+        }
+    };
+    forAll(escaped_, patchi)
+    {
+        store(mesh_.boundaryMesh()[patchi].name(), escaped_[patchi]);
+    }
+    for (const word& name : escapedBefore_.sortedToc())
+    {
+        store(name, escapedBefore_[name]);
+    }
+    ledger.set("escaped", escaped);
+
+    // The last entry, and in it what the count check needs: missing in a file
+    // that was cut short
+    outputProperties_.remove("ledger");
+    outputProperties_.add("ledger", ledger);
 }
 
 

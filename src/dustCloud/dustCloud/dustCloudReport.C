@@ -799,6 +799,10 @@ void Foam::dustCloud::summarise()
             );
         }
     }
+    for (const word& name : escapedBefore_.sortedToc())
+    {
+        row("  through " + name + ", now gone", escapedBefore_[name]);
+    }
     row("refused at injection", refused_);
 
     // Aggregates: 1, 2, 3, 4, 5-8, 9-16, ...

@@ -1,0 +1,180 @@
+/*---------------------------------------------------------------------------*\
+    dustFoam: adhesive dust in ventilation ducts
+-------------------------------------------------------------------------------
+License
+    This file is part of dustFoam.
+
+    dustFoam is free software: you can redistribute it and/or modify it under
+    the terms of the GNU General Public License as published by the Free
+    Software Foundation, either version 3 of the License, or (at your option)
+    any later version.
+
+    dustFoam is distributed in the hope that it will be useful, but WITHOUT ANY
+    WARRANTY; without even the implied warranty of MERCHANTABILITY or FITNESS
+    FOR A PARTICULAR PURPOSE.  See the GNU General Public License for more
+    details.
+
+    You should have received a copy of the GNU General Public License along
+    with dustFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+
+\*---------------------------------------------------------------------------*/
+
+#include "dustCloudData.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::dustCloud::checkLedger() const
+{
+    const bool found = outputProperties_.found("ledger");
+    const bool some = returnReduce(found, orOp<bool>());
+
+    if (some && !returnReduce(found, andOp<bool>()))
+    {
+        FatalErrorInFunction
+            << "The files of time " << mesh_.time().timeName()
+            << " do not belong together: uniform/lagrangian/" << name()
+            << '/' << outputProperties_.name()
+            << " is missing or cut short on some of the ranks" << nl
+            << "    Restore it, or start from another time"
+            << exit(FatalError);
+    }
+
+    IOobject x(fieldIOobject("x", IOobject::READ_IF_PRESENT));
+    const bool ours = size() && x.typeHeaderOk<IOField<vector>>(false);
+
+    if (!some && returnReduce(ours, orOp<bool>()))
+    {
+        FatalErrorInFunction
+            << "The files of time " << mesh_.time().timeName()
+            << " do not belong together: lagrangian/" << name()
+            << " holds particles of dustFoam, but "
+            << outputProperties_.objectPath()
+            << ", which tells what was injected and who is who, is missing or"
+            << " cut short" << nl
+            << "    Restore it, or start from another time; to count the"
+            << " particles as injected now, without their contacts, delete x,"
+            << " omega, state and contactHistory in lagrangian/" << name()
+            << ", too" << exit(FatalError);
+    }
+}
+
+
+void Foam::dustCloud::readWalls(const dictionary& ledger)
+{
+    demData& d = *dem_;
+    d.wallsThen = ledger.lookupOrDefault<wordList>("walls", wordList());
+
+    const auto& patches = d.system->walls().patches;
+
+    for (const word& name : d.wallsThen)
+    {
+        int now = -1;
+        for (std::size_t i = 0; i < patches.size(); ++i)
+        {
+            if (name == patches[i].name)
+            {
+                now = int(i);
+            }
+        }
+        d.wallNow.push_back(now);
+    }
+    d.ended = labelList(d.wallsThen.size(), Zero);
+}
+
+
+void Foam::dustCloud::closeWalls()
+{
+    demData& d = *dem_;
+
+    forAll(d.ended, i)
+    {
+        const label n = returnReduce(d.ended[i], sumOp<label>());
+        if (n)
+        {
+            Info<< "Warning: there is no wall patch " << d.wallsThen[i]
+                << " any more: " << n << " contacts with it ended, their"
+                << " particles are awake" << nl << endl;
+        }
+    }
+    d.wallsThen.clear();
+    d.ended.clear();
+    d.wallNow.clear();
+}
+
+
+void Foam::dustCloud::findAgain()
+{
+    // Whether the stored tetrahedron is one of this mesh
+    const auto fits = [this](const dustParcel& p)
+    {
+        if (p.cell() < 0 || p.cell() >= mesh_.nCells())
+        {
+            return false;
+        }
+        return
+            mesh_.cells()[p.cell()].found(p.tetFace())
+         && p.tetPt() > 0
+         && p.tetPt() < mesh_.faces()[p.tetFace()].size() - 1;
+    };
+    const auto width = [this](const label celli)
+    {
+        return cbrt(mesh_.V()[celli]);
+    };
+
+    // A particle's tracked place is where it is, but for one whose way was
+    // blocked: then it is less than a cell away
+    bool renumbered = false;
+    for (const dustParcel& p : *this)
+    {
+        renumbered =
+            renumbered
+         || !fits(p)
+         || (
+                mag(wayTo(p)) > width(p.cell())
+             && !mesh_.pointInCell(p.x(), p.cell())
+            );
+    }
+
+    if (!returnReduce(renumbered, orOp<bool>()))
+    {
+        return;
+    }
+
+    label n = 0;
+    for (dustParcel& p : *this)
+    {
+        if (fits(p) && mag(wayTo(p)) < 1e-6*width(p.cell()))
+        {
+            continue;
+        }
+
+        label celli = mesh_.findCell(p.x());
+        if (celli < 0)
+        {
+            celli = mesh_.findNearestCell(p.x());
+
+            if (mag(mesh_.C()[celli] - p.x()) > width(celli))
+            {
+                FatalErrorInFunction
+                    << "Particle " << p.origProc() << ':' << p.origId()
+                    << " at " << p.x() << " is not in the mesh"
+                    << (Pstream::parRun() ? " of its rank" : "") << nl
+                    << "    The mesh is not the one that lagrangian/" << name()
+                    << " of time " << mesh_.time().timeName()
+                    << " was written with: restore it (and decompose anew), or"
+                    << " start from another time" << exit(FatalError);
+            }
+        }
+        p.relocate(p.x(), celli);
+        ++n;
+    }
+
+    Info<< "Warning: the cells are not numbered as when time "
+        << mesh_.time().timeName() << " was written: "
+        << returnReduce(n, sumOp<label>())
+        << " particles were found again by their place" << nl << endl;
+}
+
+
+// ************************************************************************* //
