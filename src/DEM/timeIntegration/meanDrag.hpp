@@ -107,7 +107,8 @@ inline double exponentOf(double r)
         }
         else
         {
-            const double g = 1/std::expm1(z);
+            // e^z overflows, and long since adds nothing
+            const double g = z < 700 ? 1/std::expm1(z) : 0;
             value = 1/z - g;
             slope = -1/(z*z) + g*(1 + g);
         }

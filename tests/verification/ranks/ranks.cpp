@@ -41,6 +41,8 @@ public:
         parts_(std::make_unique<dem::System>(law.table(), dem::TimeSettings(), world())),
         scatter_(scatter)
     {
+        serial_->keepGasExchange(true);
+        parts_->keepGasExchange(true);
         serial_->setWalls(scene::floor());
         parts_->setWalls(scene::floor());
         for (const dem::Particle& p : dust)
