@@ -82,6 +82,60 @@ static scalar percentile(const std::vector<double>& sorted, const scalar share)
     return sorted[std::min(n - 1, std::size_t(share*scalar(n)))];
 }
 
+//- A drag law that does not hold where the particles are now: which, and how
+//  many of them. Empty if all is well. Collective.
+static std::string denseDragRemark
+(
+    const dustCloud& cloud,
+    const dictionary& forces
+)
+{
+    const fvMesh& mesh = cloud.mesh();
+    scalar largest = 0;
+    for (const dustParcel& p : cloud)
+    {
+        largest = max(largest, p.d());
+    }
+    reduce(largest, maxOp<scalar>());
+
+    const diffusiveSmoothing smoothing(mesh, 3*largest);
+    cellShares place(mesh);
+    cellShares::sums<scalar> volume(mesh);
+    for (const dustParcel& p : cloud)
+    {
+        place.moveTo(p.x(), p.cell(), 1.5);
+        place.add(volume, p.volume());
+    }
+    place.close(volume);
+    const scalarField alpha(1 - smoothing(volume.cells/mesh.V()));
+
+    for (const entry& e : forces)
+    {
+        const dragRange* range = dragRange::find(e.keyword());
+        if (!range)
+        {
+            continue;
+        }
+        label n = 0;
+        scalar lowest = 1;
+        for (const dustParcel& p : cloud)
+        {
+            n += alpha[p.cell()] < range->minVoid;
+            lowest = min(lowest, alpha[p.cell()]);
+        }
+        reduce(n, sumOp<label>());
+        reduce(lowest, minOp<scalar>());
+        if (n)
+        {
+            return dragRange::voidFractionRemark
+            (
+                e.keyword(), lowest, format("%d particles in dense places", n)
+            );
+        }
+    }
+    return "";
+}
+
 } // End namespace Foam
 
 
@@ -897,6 +951,14 @@ void Foam::dustCloud::summarise()
     if (keepsEnergyLedger())
     {
         Info<< energyText(energyLedger()).c_str() << nl;
+    }
+    const std::string dense
+    (
+        denseDragRemark(*this, subModelProperties_.subDict("particleForces"))
+    );
+    if (!dense.empty())
+    {
+        Info<< "    Warning: " << dense.c_str() << nl;
     }
     if (twoWay_)
     {
