@@ -22,6 +22,8 @@ License
 
 #include "dustCloudData.H"
 
+#include "fvcSurfaceIntegrate.H"
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::dustCloud::checkLedger() const
@@ -139,6 +141,34 @@ void Foam::dustCloud::findAgain()
     if (!returnReduce(renumbered, orOp<bool>()))
     {
         return;
+    }
+
+    // renumberMesh treats the fields of one time only. Those of another have
+    // sources everywhere: no gas of a solver has.
+    if (mesh_.foundObject<surfaceScalarField>("phi"))
+    {
+        const surfaceScalarField& phi =
+            mesh_.lookupObject<surfaceScalarField>("phi");
+        const scalar in = gSum
+        (
+            mag(fvc::surfaceIntegrate(phi)().primitiveField())*mesh_.V()
+        );
+        const scalar through =
+            gSum(fvc::surfaceSum(mag(phi))().primitiveField());
+
+        if (in > 0.01*through)
+        {
+            FatalErrorInFunction
+                << "The cells are not numbered as when time "
+                << mesh_.time().timeName() << " was written, and its gas"
+                << " fields were not renumbered with them: the flux has"
+                << " sources of " << in/through << " of what flows through"
+                << " the cells" << nl
+                << "    Restore the mesh, and use renumberMesh -latestTime"
+                << " (decomposed: on every rank), which renumbers the fields,"
+                << " too; the particles are found by their place"
+                << exit(FatalError);
+        }
     }
 
     label n = 0;
