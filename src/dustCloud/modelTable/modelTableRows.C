@@ -42,7 +42,7 @@ const std::vector<Foam::modelTable::row>& Foam::modelTable::rows()
         {
             drag, "slipErgunWenYuDrag", true,
             "ErgunWenYuDrag with slip; for cakes of fine dust",
-            "", "alphac alphac;", "", {}, false
+            "", "", "", {}, false
         },
         {
             drag, "sphereDrag", true,
