@@ -1695,29 +1695,29 @@ std::vector<int> System::unpackState
         state.data(), (state.size() - restNumbers)/contactNumbers, s.rest[i], contacts
     );
 
-    const int nWalls = int(wallNow.empty() ? walls().patches.size() : wallNow.size());
+    const int nWalls = int(walls().patches.size());
     std::vector<int> gone;
     s.contacts[i].clear();
     for (ContactRecord& c : contacts)
     {
+        const int then = c.wall;
+        if (then >= 0 && !wallNow.empty())
+        {
+            c.wall = std::size_t(then) < wallNow.size() ? wallNow[std::size_t(then)] : nWalls;
+            if (c.wall < 0)
+            {
+                gone.push_back(then);
+                s.rest[i].wakeForce = -1;
+                continue;
+            }
+        }
         if (c.wall >= nWalls)
         {
             throw inputError
             (
-                "contact state", "wall patch " + std::to_string(c.wall),
-                "below " + std::to_string(nWalls)
+                "contact state", "wall patch " + std::to_string(then),
+                "below " + std::to_string(wallNow.empty() ? nWalls : int(wallNow.size()))
             );
-        }
-        if (c.wall >= 0 && !wallNow.empty())
-        {
-            const int now = wallNow[std::size_t(c.wall)];
-            if (now < 0)
-            {
-                gone.push_back(c.wall);
-                s.rest[i].wakeForce = -1;
-                continue;
-            }
-            c.wall = now;
         }
         s.contacts[i].push_back(c);
     }

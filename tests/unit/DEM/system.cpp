@@ -604,6 +604,39 @@ TEST(system, restartIsExact)
 }
 
 
+TEST(system, wallsHaveOtherNumbersAfterARestart)
+{
+    // a sphere that touches the floor: the floor is another patch, or gone
+    const Law law = scene::stickyLaw();
+    dem::System system(law.table(), {});
+    system.setWalls(scene::floor());
+    system.add(sphere(law, 1, 1e-6, Vec3(0, 0, 0.999e-6)));
+    system.advance(1e-7);
+    ASSERT_EQ(system.contacts().size(), 1u);
+
+    const auto restart = [&](const std::vector<int>& wallNow, std::vector<int>& gone)
+    {
+        auto next = std::make_unique<dem::System>(law.table(), dem::TimeSettings());
+        dem::Walls walls = scene::floor();
+        walls.patches.insert(walls.patches.begin(), walls.patches.front());
+        next->setWalls(std::move(walls));
+        next->add(system.particle(0));
+        gone = next->unpackState(0, system.packState(0), wallNow);
+        return next;
+    };
+    std::vector<int> gone;
+    auto moved = restart({1}, gone);
+    EXPECT_TRUE(gone.empty());
+    ASSERT_EQ(moved->contacts().size(), 1u);
+    EXPECT_EQ(moved->contacts()[0].wall, 1);
+
+    auto ended = restart({-1}, gone);
+    EXPECT_EQ(gone, std::vector<int>({0}));
+    EXPECT_TRUE(ended->contacts().empty());
+    EXPECT_THROW(restart({2}, gone), dem::inputError) << "there are two walls";
+}
+
+
 TEST(system, diagnosticsChangeNothing)
 {
     const Law law = scene::stickyLaw();
