@@ -155,6 +155,11 @@ int main(int argc, char *argv[])
                     #include "pEqn.H"
                 }
 
+                if (pimple.finalIter())
+                {
+                    #include "exchangeChecks.H"
+                }
+
                 if (pimple.turbCorr())
                 {
                     turbulence->correct();
@@ -168,6 +173,14 @@ int main(int argc, char *argv[])
 
             gasSeconds = gasClock.elapsedTime();
             runTime.write();
+        }
+
+        if (dust.twoWay())
+        {
+            Info<< nl << "  Exchange: momentum that the gas lost in a step at"
+                << " most " << momentumLost << " of its own, resistance of the"
+                << " dust differs by at most " << resistanceJump
+                << " between neighbouring cells" << endl;
         }
     }
 

@@ -258,7 +258,7 @@ std::vector<double> volumes(const std::string& mesh)
         centre.push_back((1/weight)*sum);
         area.push_back(A);
     }
-    const auto owner = numbers(mesh + "/owner", 0, 0), neighbour = numbers(mesh + "/neighbour", 0, 0);
+    const auto owner = numbers(mesh + "/owner", centre.size(), 1), neighbour = numbers(mesh + "/neighbour", 0, 0);
     std::vector<double> V(std::size_t(*std::max_element(owner.begin(), owner.end())) + 1);
     for (std::size_t i = 0; i < owner.size(); ++i) V[std::size_t(owner[i])] += dot(centre[i], area[i])/3;
     for (std::size_t i = 0; i < neighbour.size(); ++i) V[std::size_t(neighbour[i])] -= dot(centre[i], area[i])/3;
