@@ -775,6 +775,10 @@ void Foam::dustCloud::evolve(const scalar gasSeconds)
         dispersion().cacheFields(true);
         forces_.cacheFields(true);
         tdPtr_.reset(new dustParcel::trackingData(*this));
+        if (twoWay_)
+        {
+            spreadVelocity();
+        }
 
         for (dustParcel& p : *this)
         {

@@ -89,6 +89,19 @@ void Foam::dustCloud::setSmoothingWidth()
 }
 
 
+void Foam::dustCloud::spreadVelocity()
+{
+    spreadUPtr_.reset(new volVectorField("dustU", U_));
+    spreadUPtr_->primitiveFieldRef() = smoothingPtr_()(U_.primitiveField());
+    spreadUPtr_->correctBoundaryConditions();
+    tdPtr_->spreadUInterp = interpolation<vector>::New
+    (
+        word(solution_.interpolationSchemes().lookup("U")),
+        spreadUPtr_()
+    );
+}
+
+
 void Foam::dustCloud::updateVoidFraction()
 {
     if (!smoothingPtr_.valid())
