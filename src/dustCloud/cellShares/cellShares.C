@@ -33,12 +33,7 @@ Foam::cellShares::cellShares(const fvMesh& mesh)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::cellShares::moveTo
-(
-    const point& x,
-    const label celli,
-    const scalar most
-)
+void Foam::cellShares::moveTo(const point& x, const label celli)
 {
     cell_ = celli;
     faces_.clear();
@@ -71,13 +66,13 @@ void Foam::cellShares::moveTo
         }
     }
 
-    if (sum > most)
+    if (sum > 1)
     {
         for (scalar& share : shares_)
         {
-            share *= most/sum;
+            share /= sum;
         }
-        sum = most;
+        sum = 1;
     }
     own_ = 1 - sum;
 }

@@ -116,7 +116,7 @@ void Foam::dustCloud::updateVoidFraction()
     cellShares::sums<vector> flux(mesh_);
     for (const dustParcel& p : *this)
     {
-        place.moveTo(p.x(), p.cell(), 1.5);
+        place.moveTo(p.x(), p.cell());
         place.add(volume, p.volume());
         if (twoWay_)
         {
@@ -158,7 +158,7 @@ void Foam::dustCloud::closeExchange()
     cellShares place(mesh_);
     for (dustParcel& p : *this)
     {
-        place.moveTo(p.x(), p.cell(), 1);
+        place.moveTo(p.x(), p.cell());
         exchangePtr_->respond(place, p.response(), p.mass(), p.held());
     }
     exchangePtr_->close
@@ -183,7 +183,7 @@ void Foam::dustCloud::receive(const volVectorField& UOld)
 
     for (dustParcel& p : *this)
     {
-        place.moveTo(p.x(), p.cell(), 1);
+        place.moveTo(p.x(), p.cell());
         const vector impulse = p.response()*place.value(change);
         exchangePtr_->got(impulse);
 

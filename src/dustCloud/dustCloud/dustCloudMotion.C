@@ -162,7 +162,7 @@ void Foam::dustCloud::takeMotion
         {
             // In the cell where the step began
             const dem::GasExchange& e = system.gasExchange(index);
-            place.moveTo(p.x(), p.cell(), 1);
+            place.moveTo(p.x(), p.cell());
             exchangePtr_->give
             (
                 place,

@@ -103,7 +103,7 @@ static std::string denseDragRemark
     cellShares::sums<scalar> volume(mesh);
     for (const dustParcel& p : cloud)
     {
-        place.moveTo(p.x(), p.cell(), 1.5);
+        place.moveTo(p.x(), p.cell());
         place.add(volume, p.volume());
     }
     place.close(volume);
