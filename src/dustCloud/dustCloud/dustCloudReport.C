@@ -785,9 +785,9 @@ void Foam::dustCloud::summarise()
     reduce(totals.minStepsPerContact, minOp<scalar>());
     reduce(totals.maxStepOverBound, maxOp<scalar>());
     reduce(totals.energyRemovedByRest, sumOp<scalar>());
-    const auto sum = [](const std::int64_t mine)
+    const auto sum = [](const scalar mine)
     {
-        return returnReduce(scalar(mine), sumOp<scalar>());
+        return returnReduce(mine, sumOp<scalar>());
     };
     const scalar contactSteps = sum(totals.contactSteps);
     const scalar contactUpdates = sum(totals.contactUpdates);
