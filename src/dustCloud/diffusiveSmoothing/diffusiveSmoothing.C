@@ -25,12 +25,83 @@ License
 #include "gaussLaplacianScheme.H"
 #include "zeroGradientFvPatchFields.H"
 
+#include <cmath>
+
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-namespace
+namespace Foam
 {
-    const Foam::label nSteps = 2;
+
+//- Implicit steps
+static const label nSteps = 2;
+
+//- Explicit steps that are still cheaper than these
+static const label mostExplicit = 20;
+
+
+//- Add to each cell, over its volume, D times the difference from each
+//  neighbour's value
+static void addDifferences
+(
+    scalarField& sum,
+    const surfaceScalarField& D,
+    const volScalarField& f
+)
+{
+    const fvMesh& mesh = f.mesh();
+    const scalarField& V = mesh.V();
+
+    forAll(mesh.neighbour(), facei)
+    {
+        const label P = mesh.owner()[facei];
+        const label N = mesh.neighbour()[facei];
+        const scalar d = D[facei]*(f[N] - f[P]);
+        sum[P] += d/V[P];
+        sum[N] -= d/V[N];
+    }
+    for (const fvPatchScalarField& fb : f.boundaryField())
+    {
+        if (fb.coupled())
+        {
+            const scalarField d
+            (
+                D.boundaryField()[fb.patch().index()]
+               *(fb.patchNeighbourField() - fb.patchInternalField())
+            );
+            const labelUList& cells = fb.patch().faceCells();
+            forAll(cells, i)
+            {
+                sum[cells[i]] += d[i]/V[cells[i]];
+            }
+        }
+    }
 }
+
+
+//- Explicit steps in which no cell gives more than it has
+static label explicitSteps(const surfaceScalarField& D)
+{
+    const fvMesh& mesh = D.mesh();
+    scalarField given(mesh.nCells(), Zero);
+    forAll(mesh.neighbour(), facei)
+    {
+        given[mesh.owner()[facei]] += D[facei];
+        given[mesh.neighbour()[facei]] += D[facei];
+    }
+    for (const fvsPatchScalarField& Db : D.boundaryField())
+    {
+        if (Db.coupled())
+        {
+            forAll(Db, i)
+            {
+                given[Db.patch().faceCells()[i]] += Db[i];
+            }
+        }
+    }
+    return label(std::ceil(1.5*gMax(given/mesh.V())));
+}
+
+} // End namespace Foam
 
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -95,6 +166,20 @@ Foam::tmp<Foam::scalarField> Foam::diffusiveSmoothing::operator()
     if (gMax(mag(f)) == 0)
     {
         return tmp<scalarField>(new scalarField(f));
+    }
+
+    const surfaceScalarField D(nSteps*diffusion_*mesh_.deltaCoeffs());
+    const label n = explicitSteps(D);
+    if (n <= mostExplicit)
+    {
+        for (label i = 0; i < n; ++i)
+        {
+            scalarField change(f.size(), Zero);
+            addDifferences(change, D, smooth);
+            smooth.primitiveFieldRef() += change/n;
+            smooth.correctBoundaryConditions();
+        }
+        return tmp<scalarField>(new scalarField(smooth.primitiveField()));
     }
 
     for (label i = 0; i < nSteps; ++i)
