@@ -1,0 +1,317 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "island/Island.hpp"
+
+#include "island/shareOfGas.hpp"
+
+#include <algorithm>
+
+namespace dem
+{
+
+Island::Island
+(
+    const MaterialTable& materials,
+    const TimeSettings& time,
+    const WallSearch& walls,
+    const Periodic& periodic
+)
+:
+    env_{materials, time, walls, periodic},
+    contacts_(env_),
+    candidates_(env_),
+    boundary_(env_, contacts_),
+    forces_(env_),
+    control_(env_),
+    rest_(env_),
+    account_(env_)
+{
+    contacts_.setUp(state_.contacts);
+}
+
+
+// * * * * * * * * * * * * * * * * * The loop * * * * * * * * * * * * * * * * * * * * * //
+
+void Island::run(double dt, double time, StepReport& report)
+{
+    begin(dt, time);
+    firstContacts(report);
+    while (control_.left() > 0 && !state_.awake.empty())
+    {
+        const Step step = control_.next(state_, propagator_, candidates_, report);
+        take(step, report);
+        control_.took(state_, step);
+
+        // what begins after a flight must not act over all of it
+        if (control_.exactEvents() || step.flight) propagator_.complete(state_);
+        wake(rest_.overloaded(state_, boundary_.list()), report);
+        if (update(report).any())
+        {
+            propagator_.forgetLoads();
+            control_.event();
+        }
+        settle(report);
+    }
+    finish(dt, time, report);
+}
+
+
+//- One step but for its second kick
+void Island::take(const Step& step, StepReport& report)
+{
+    prepareSprings(step.springLead*step.h);
+    if (account_.on())
+    {
+        propagator_.complete(state_);
+        account_.open(state_, step.h, report.energy);
+    }
+    propagator_.drift(state_, step.h, step.refined);
+    account_.drifted(state_, report.energy);
+    candidates_.follow(state_, step.h, control_.contactStep());
+    if (step.refined) propagator_.foresee(state_, step.h);
+
+    boundary_.load(state_);
+    const double ahead = step.springLead*step.next;
+    ended_ = forces_.evaluate(state_, {step.h, step.h - state_.phase.ahead, ahead}, report);
+    state_.phase.owed = step.h;
+    if (!account_.on()) return;
+    propagator_.complete(state_);
+    account_.close(state_, step.h, report.energy);
+    if (!state_.contacts.anyListed()) return;
+    report.maxStepOverBound =
+        std::max(report.maxStepOverBound, step.h/control_.boundNow(state_));
+}
+
+
+//- Let the springs be ahead by this [s]; loads are unchanged
+void Island::prepareSprings(double ahead)
+{
+    if (ahead == state_.phase.ahead) return;
+    propagator_.complete(state_);
+    forces_.moveSprings(state_, ahead);
+}
+
+
+// * * * * * * * * * * * * * * * * * Contacts * * * * * * * * * * * * * * * * * * * * * //
+
+Changes Island::update(StepReport& report)
+{
+    Changes changes;
+    if (ended_) endContacts(changes, report);
+    beginContacts(changes, report);
+    return changes;
+}
+
+
+//- End the contacts that the forces have marked; their load is taken back
+void Island::endContacts(Changes& changes, StepReport& report)
+{
+    ended_ = false;
+    if (control_.exactEvents()) propagator_.complete(state_);
+    account_.ended(state_, report.energy);
+    forces_.takeBackEnded(state_);
+    changes.ended = contacts_.end(state_);
+    report.separations += std::int64_t(changes.ended.size());
+    candidates_.parted(state_, changes.ended);
+    std::vector<int> bereft = rest_.bereft(state_, changes.ended);
+    if (!bereft.empty()) wake(std::move(bereft), report);
+    else if (!changes.ended.empty()) boundary_.find(state_, candidates_.walls());
+}
+
+
+//- Begin contacts where surfaces have met; their load is added
+void Island::beginContacts(Changes& changes, StepReport& report)
+{
+    changes.began = candidates_.meet(state_);
+    if (changes.began.empty()) return;
+    if (control_.exactEvents()) propagator_.complete(state_);
+    noteTouches(changes.began, report);
+    forces_.noteSizes(state_);
+    contacts_.begin(state_, changes.began);
+    boundary_.find(state_, candidates_.walls());
+    forces_.addNew(state_);
+    if (!account_.on()) return;
+    forces_.eachNew(state_, [&](std::size_t l, const ContactList& list, std::size_t k)
+    {
+        account_.began(state_, l, list, k, report.energy);
+    });
+}
+
+
+void Island::noteTouches(const std::vector<Touch>& touches, StepReport& report) const
+{
+    for (const Touch& t : touches)
+    {
+        const Body& a = state_.bodies[std::size_t(t.i)];
+        double speed;
+        if (t.j < 0)
+        {
+            speed = vec(a.v).dot(t.n);
+            report.followerTouches += follows(state_, t.i, t.n);
+        }
+        else
+        {
+            const Body& b = state_.bodies[std::size_t(t.j)];
+            const Vec3 v = vec(a.v) - vec(b.v);
+            speed = v.dot(env_.periodic.nearest(vec(b.x) - vec(a.x)).normalized());
+        }
+        ++report.touches;
+        report.touchSpeed += speed;
+        report.touchSpeedSquare += speed*speed;
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * * * Rest * * * * * * * * * * * * * * * * * * * * * * //
+
+//- Loads are as they were: what the frozen contacts gave, they go on giving
+void Island::wake(std::vector<int> woken, StepReport& report)
+{
+    if (woken.empty()) return;
+    propagator_.complete(state_);
+    rest_.wake(state_, woken, report);
+    propagator_.awakeChanged();
+    const std::vector<Partners> resumed = contacts_.resume(state_, woken);
+    candidates_.woken(state_, woken, resumed);
+    boundary_.find(state_, candidates_.walls());
+}
+
+
+//- Let those fall asleep that have been quiet, if it is time to look
+void Island::settle(StepReport& report)
+{
+    const std::optional<double> since = control_.restDue();
+    if (!since) return;
+    propagator_.complete(state_);
+    if (!rest_.judge(state_, *since)) return;
+    prepareSprings(0);
+    if (!rest_.fallAsleep(state_, account_, report)) return;
+    contacts_.putToRest(state_);
+    candidates_.asleep(state_);
+    boundary_.find(state_, candidates_.walls());
+}
+
+
+// * * * * * * * * * * * * * * * * Begin and end  * * * * * * * * * * * * * * * * * * * //
+
+void Island::begin(double dt, double time)
+{
+    state_.phase = {};
+    ended_ = false;
+    setBodies(state_);
+    boundary_.begin(state_);
+    rest_.begin(state_);
+    propagator_.begin(state_);
+    candidates_.find(state_, dt, contacts_.resumeAll(state_));
+    control_.begin(state_, candidates_, dt, time);
+    candidates_.refresh(state_, {});
+}
+
+
+void Island::firstContacts(StepReport& report)
+{
+    std::vector<int> disturbed = rest_.disturbed(state_);
+    if (disturbed.empty()) boundary_.find(state_, candidates_.walls());
+    else wake(std::move(disturbed), report);
+    boundary_.load(state_);
+    ended_ = forces_.evaluate(state_, {}, report);
+    update(report);
+}
+
+
+void Island::finish(double dt, double time, StepReport& report)
+{
+    propagator_.complete(state_);
+    control_.finish(state_, candidates_, report);
+    rest_.addImpulse(state_, dt);
+    candidates_.noteOutran(state_);
+    prepareSprings(0);
+    rest_.freezeFlying(state_, account_, report);
+    contacts_.storeAll(state_);
+    takeBack();
+    checkFinite(state_, time + dt);
+}
+
+
+void Island::takeBack()
+{
+    for (RestState& r : state_.rest) r.inContact = false;
+    for (std::size_t i = 0; i < state_.particles.size(); ++i)
+    {
+        for (const StoredContact& s : state_.contacts.stored[i])
+        {
+            state_.rest[i].inContact = true;
+            if (s.j >= 0) state_.rest[std::size_t(s.j)].inContact = true;
+        }
+        Particle& p = state_.particles[i];
+        const Body& b = state_.bodies[i];
+        p.x = vec(b.x);
+        p.v = vec(b.v);
+        p.omega = vec(b.w);
+    }
+}
+
+
+void Island::clear()
+{
+    state_.particles.clear();
+    state_.gas.clear();
+    state_.reach.clear();
+    state_.rest.clear();
+    state_.impulse.clear();
+    ContactStore& store = state_.contacts;
+    for (ContactStore::Lists& l : store.lists)
+    {
+        l.pairs.clear();
+        l.walls.clear();
+    }
+    store.entries.clear();
+    store.freeTags.clear();
+    store.stored.clear();
+    candidates_.clear();
+}
+
+
+void Island::addParticle
+(
+    const Particle& p, const GasLoad& g, const RestState& rest, const Corridor& corridor
+)
+{
+    state_.particles.push_back(p);
+    state_.gas.push_back(g);
+    state_.reach.push_back(env_.materials.reach(p.material, p.radius, env_.walls.walls()));
+    state_.rest.push_back(rest);
+    state_.impulse.push_back(Vec3::Zero());
+    state_.contacts.stored.emplace_back();
+    candidates_.addParticle(corridor);
+}
+
+
+void Island::addSurfaces(const std::vector<int>& surfaces)
+{
+    candidates_.addSurfaces(surfaces);
+}
+
+
+void Island::addContact(int i, int j, const ContactRecord& record)
+{
+    state_.contacts.stored[std::size_t(i)].push_back({j, record});
+}
+
+
+std::vector<ContactRecord> Island::contacts(int i) const
+{
+    std::vector<ContactRecord> result;
+    for (const StoredContact& s : state_.contacts.stored[std::size_t(i)])
+    {
+        result.push_back(s.record);
+    }
+    return result;
+}
+
+
+std::vector<GasExchange> Island::gasExchange(double dt) const
+{
+    return shareOfGas(state_, dt);
+}
+
+}

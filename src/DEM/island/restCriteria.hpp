@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// When a particle falls asleep and when it wakes. F_C and delta_C are pull-off force and neck of
+// the weakest of its contacts as softened, all times restTolerance.
+//
+// Asleep, and then a fixed boundary for those awake, when for a whole window (3 normal periods) it
+// has had
+//     kinetic energy < 0.1 F_C delta_C,  |force| < 0.1 F_C,
+//     |torque| < max(0.02 F_C r, M_y)     (M_y: rolling yields)
+// and when it holds on to a wall, directly or by particles at rest. (One that rocks, with less
+// energy than would let it roll, has no damping: it counts as quiet after 30 windows.) It wakes
+// when |force| > F_C/2 or |torque| > F_C r/2, what its resting neighbours give to it included;
+// when a contact of it ends; or when the gas force on it has changed by 0.1 min(F_C, M_y/r).
+// A cluster that flies is judged by its motion beyond that of a rigid body of the same momentum
+// and angular momentum; at the end of the particle step it may become a RigidAggregate.
+#pragma once
+
+#include "contacts/ContactRecord.hpp"
+#include "contacts/ContactStore.hpp"
+#include "particles/GasLoad.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace dem
+{
+
+//- Share of the weakest pull-off force, or moment that rolls over the radius, by which the load
+//  on a particle at rest may change
+inline constexpr double wakeForceChange = 0.1;
+
+//- Whether a resting particle must wake because its gas load has changed, or because it was
+//  moved from outside (negative wakeForce)
+inline bool wakes(const RestState& rest, const GasLoad& gas)
+{
+    if (rest.wakeForce < 0) return true;
+    const Vec3 now = gas.Sp*gas.Uc + gas.Su;
+    const Vec3 then(rest.force[0], rest.force[1], rest.force[2]);
+    return (now - then).squaredNorm() > rest.wakeForce*rest.wakeForce;
+}
+
+//- Weakest contact of a particle
+struct WeakestContact
+{
+    bool any = false;
+    double pullOff = 0;         // [N]
+    double neck = 0;            // delta_C [m]
+    RollingYield yield = {0, 0};
+
+    void add(const ContactEntry& e)
+    {
+        if (any && !(e.pullOff < pullOff)) return;
+        // delta_C = a0^2/(2 6^(1/3) R), also for laws without a neck
+        *this = {true, e.pullOff, 0.27516*e.a0*e.a0/e.R, e.yield};
+    }
+
+    //- Change of the load from outside that wakes a particle of this radius [m], in [N]
+    double wakeForce(double tolerance, double radius) const
+    {
+        const double rolls = yield.moment/radius;
+        return tolerance*wakeForceChange*(rolls > 0 ? std::min(pullOff, rolls) : pullOff);
+    }
+};
+
+//- T_n of a contact at A = 1: k_N = 3.6 F_C R/a0^2 [s]; 0 without adhesion
+inline double normalPeriod(const ContactEntry& e)
+{
+    if (!(e.pullOff > 0)) return 0;
+    return 2*M_PI*std::sqrt(e.m*e.a0*e.a0/(3.6*e.pullOff*e.R));
+}
+
+//- The motion of a particle and what is out of balance on it
+struct Unrest
+{
+    double energy;      // kinetic [J]
+    double force;       // [N]
+    double torque;      // [N m]
+};
+
+//- By how much the time for which a particle has been quiet grows over `elapsed` [s]; none: it is
+//  not quiet
+inline std::optional<double> quietGain
+(
+    const Unrest& u, const WeakestContact& weakest, double radius, double tolerance,
+    double elapsed
+)
+{
+    constexpr double quietEnergy = 0.1, quietForce = 0.1, quietTorque = 0.02;
+    constexpr double rockingWindows = 30;
+    const double small = tolerance*quietEnergy*weakest.pullOff*weakest.neck;
+    const RollingYield& yield = weakest.yield;
+    if
+    (
+        !weakest.any || !(weakest.pullOff > 0)
+     || u.force >= tolerance*quietForce*weakest.pullOff
+     || u.torque >= tolerance*std::max(quietTorque*weakest.pullOff*radius, yield.moment)
+     || u.energy >= std::max(small, tolerance*yield.energy)
+    ) return {};
+    return u.energy < small ? elapsed : elapsed/rockingWindows;
+}
+
+//- Whether force and torque wake a particle at rest, pullOff [N] as it fell asleep
+inline bool overloads
+(
+    const Vec3& force, const Vec3& torque, double pullOff, double radius, double tolerance
+)
+{
+    constexpr double wakeForce = 0.5;
+    const double limit = tolerance*wakeForce*pullOff;
+    return
+        force.squaredNorm() > limit*limit
+     || torque.squaredNorm() > limit*limit*radius*radius;
+}
+
+}
