@@ -4,10 +4,10 @@
 #include "contactModels/contactModel/ContactLaw.hpp"
 #include "contacts/ContactRecord.hpp"
 #include "contacts/clusterMargins.hpp"
+#include "island/Island.hpp"
 #include "neighbourSearch/BoxGrid.hpp"
 #include "neighbourSearch/DisjointSets.hpp"
 #include "particles/errors.hpp"
-#include "timeIntegration/IslandIntegrator.hpp"
 #include "timeIntegration/RigidAggregate.hpp"
 #include "timeIntegration/freeFlight.hpp"
 #include "walls/WallSearch.hpp"
@@ -58,7 +58,7 @@ public:
         time(t),
         communicator(c),
         walls(Walls{}),
-        integrator(std::make_unique<IslandIntegrator>(materials, time, walls, periodic)),
+        integrator(std::make_unique<dem::Island>(materials, time, walls, periodic)),
         grid(boxes)
     {
         if (!(time.stepsPerContact >= TimeSettings::fewestStepsPerContact))
@@ -342,7 +342,7 @@ public:
     Communicator communicator;
     WallSearch walls;
     Periodic periodic;
-    std::unique_ptr<IslandIntegrator> integrator;
+    std::unique_ptr<dem::Island> integrator;
     std::map<std::int64_t, Island> tried;   // by component, from a try that was not enough
 
     // Of one particle step
@@ -826,7 +826,7 @@ void System::Implementation::integrate
     std::vector<Member>& members, double dt, StepReport& report
 )
 {
-    IslandIntegrator& island = *integrator;
+    dem::Island& island = *integrator;
     island.clear();
 
     std::vector<int> surfaces;

@@ -13,7 +13,7 @@
 // bound for one contact. A normal law of another kind gives its own k_N.
 //
 // The bound. A linear mode of frequency omega and decay c (x" = -omega^2 x - c x') goes through
-// one step of the scheme (IslandIntegrator.hpp) with the factors lambda of
+// one step of the scheme (island/Propagator.hpp) with the factors lambda of
 //     lambda^3 + (W + 3/2 K - 2) lambda^2 + (1 - 2 K) lambda + K/2 = 0,  W = (omega h)^2, K = c h
 // all within the unit circle (Jury) if, and only if, W + 4 K < 4. The springs of sliding,
 // rolling and twisting move with the predicted velocities and give

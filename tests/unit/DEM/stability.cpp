@@ -3,7 +3,7 @@
 // The stability bound of the contact step (timeIntegration/contactPeriod.hpp), and what the
 // stability map (tests/verification/stabilityMap) has found.
 #include "contactModels/contactModel/ContactLaw.hpp"
-#include "timeIntegration/IslandIntegrator.hpp"
+#include "island/Island.hpp"
 
 #include "scene.hpp"
 
@@ -42,7 +42,7 @@ double growth
     time.restTolerance = 0;
     const dem::WallSearch walls((dem::Walls()));
     const dem::Periodic periodic;
-    dem::IslandIntegrator island(table, time, walls, periodic);
+    dem::Island island(table, time, walls, periodic);
     const double first = energy(particles);
     double most = first, now = 0;
     std::vector<std::vector<dem::ContactRecord>> contacts(particles.size());
@@ -299,7 +299,7 @@ TEST(stability, aTouchAfterAFlightIsNoBlow)
     const double r = 1e-6, v = 10;
     const auto after = [&](int others)
     {
-        dem::IslandIntegrator island(table, {}, walls, periodic);
+        dem::Island island(table, {}, walls, periodic);
         std::vector<dem::Particle> particles
         {
             sphere(law, 0, r, Vec3(0, 0, 0), Vec3(0, 0, v)), sphere(law, 1, r, Vec3(0, 0, 5*r))

@@ -11,7 +11,7 @@
 #include "contactModels/contactModel/ContactLaw.hpp"
 #include "contactModels/contactModel/contactModelTable.hpp"
 #include "contactFormulas.hpp"
-#include "timeIntegration/IslandIntegrator.hpp"
+#include "island/Island.hpp"
 
 #include <algorithm>
 #include <array>
@@ -743,7 +743,7 @@ public:
         if (c.beneath)
         {
             walls_ = std::make_unique<dem::WallSearch>(walls);
-            island_ = std::make_unique<dem::IslandIntegrator>(table_, time, *walls_, periodic_);
+            island_ = std::make_unique<dem::Island>(table_, time, *walls_, periodic_);
             contacts_.resize(particles_.size());
             rest_.resize(particles_.size());
             return;
@@ -837,7 +837,7 @@ private:
     std::vector<dem::GasLoad> loads_;
     std::unique_ptr<dem::System> system_;
     std::unique_ptr<dem::WallSearch> walls_;
-    std::unique_ptr<dem::IslandIntegrator> island_;
+    std::unique_ptr<dem::Island> island_;
     dem::Periodic periodic_;
     std::vector<std::vector<dem::ContactRecord>> contacts_;
     std::vector<dem::RestState> rest_;
