@@ -33,7 +33,7 @@ solve()
         local rank
         for rank in "$1"/processor*
         do
-            cp "$1/constant/places" "$rank/constant"
+            cp "$1"/constant/places* "$rank/constant"
         done
         program "$1/log.dustFoam" mpirun -np "$ranks" --oversubscribe dustFoam -parallel
     fi
@@ -53,3 +53,13 @@ velocities() { awk '!/^#/ { gsub(/[()]/, ""); print $1, $2 }' "$1"/postProcessin
 # 2 um in 1 cm3 of gas of 1.2 kg/m3 (heavy, so that it takes no space; slow, so that drag is linear)
 dust() { calc "$1*1.2e-6/(64*3.14159265358979/6*8e-18)"; }
 viscosity() { calc "$(dust "$1")*4e-12/(18*$2)"; }
+
+# values FILE: of a particle field, one per line; OpenFOAM writes equal values as N{value}
+values()
+{
+    awk '/^[0-9]+\{.*\}$/ { n = $0 + 0; gsub(/^[^{]*\{|\}$/, ""); while (n-- > 0) print; exit }
+        /^[0-9]+\(.*\)$/ { gsub(/^[^(]*\(|\)$/, ""); gsub(/\) \(/, "\n"); gsub(/ /, /\n/ ? " " : "\n"); print; exit }
+        /^\($/ { on = 1; next }
+        /^\)$/ { exit }
+        on' "$1" | tr -d '()'
+}
