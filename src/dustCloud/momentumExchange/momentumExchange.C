@@ -30,7 +30,7 @@ Foam::scalar Foam::momentumExchange::implicitness
 (
     const scalar flying,
     const scalar held,
-    const scalar loading
+    const scalar square
 )
 {
     // Below that the implicit part is nothing
@@ -39,7 +39,8 @@ Foam::scalar Foam::momentumExchange::implicitness
 
     if (flying > least)
     {
-        const scalar q = min(flying/max(loading, flying), 1 - 1e-15);
+        const scalar q = min(square/flying, 1 - 1e-15);
+        const scalar loading = flying/q;
         const scalar f =
             -loading/(1 + loading)*std::expm1((1 + loading)*std::log1p(-q));
         theta = max(theta, 1/f - 1/flying);
@@ -65,7 +66,7 @@ Foam::momentumExchange::momentumExchange
     impulse_(mesh),
     flying_(mesh),
     held_(mesh),
-    flyingMass_(mesh),
+    flyingSquare_(mesh),
     force_
     (
         IOobject("dustForce", mesh.time().timeName(), mesh),
@@ -93,7 +94,7 @@ void Foam::momentumExchange::reset()
     impulse_.reset();
     flying_.reset();
     held_.reset();
-    flyingMass_.reset();
+    flyingSquare_.reset();
     givenByGas_ = Zero;
     gotByParticles_ = Zero;
     exchanged_ = 0;
@@ -127,7 +128,7 @@ void Foam::momentumExchange::respond
     else
     {
         place.add(flying_, response);
-        place.add(flyingMass_, mass);
+        place.add(flyingSquare_, sqr(response)/mass);
     }
 }
 
@@ -139,14 +140,14 @@ void Foam::momentumExchange::close(const scalar dt, const scalarField& gasMass)
     shares.close(impulse_);
     shares.close(flying_);
     shares.close(held_);
-    shares.close(flyingMass_);
+    shares.close(flyingSquare_);
 
     force_.primitiveFieldRef() = smoothing_(-impulse_.cells/(V*dt));
     force_.correctBoundaryConditions();
 
     const scalarField flying(smoothing_(flying_.cells/V));
     const scalarField held(smoothing_(held_.cells/V));
-    const scalarField mass(smoothing_(flyingMass_.cells/V));
+    const scalarField square(smoothing_(flyingSquare_.cells/V));
     const scalarField gas(gasMass/V);
 
     scalarField& resistance = resistance_.primitiveFieldRef();
@@ -156,7 +157,7 @@ void Foam::momentumExchange::close(const scalar dt, const scalarField& gasMass)
         (
             flying[celli]/gas[celli],
             held[celli]/gas[celli],
-            mass[celli]/gas[celli]
+            square[celli]/gas[celli]
         );
         resistance[celli] =
             implicitness_[celli]*(flying[celli] + held[celli])/dt;

@@ -1,11 +1,12 @@
 # Gmsh file of a block of nx ny nz bricks, or of six tetrahedra for each of them
 #
 #   awk -f mesh.awk -v shape=box|annulus -v cell=hex|tet -v nx= -v ny= -v nz= \
-#       -v lx= -v ly= -v lz= [-v x0=] [-v grading=] [-v shake=] [-v wallTop=1]
+#       -v lx= -v ly= -v lz= [-v x0=] [-v grading=] [-v shake=] [-v wallTop=1] [-v sides=1]
 #
 # box: lx ly lz from (x0 0 0), wall at y = 0 (wallTop: and at y = ly).
 # annulus: the upper half between radius 1 (wall) and ly, x along the flow; nx cells round it.
 # grading: last over first cell in y. shake: inner points are moved by this share of a cell.
+# sides: left right front back low high are patches instead of open and wall.
 # Lengths in units of the caller's choice.
 function node(i, j, k) { return 1 + i + (nx + 1)*(j + (ny + 1)*k) }
 function height(j) { return q == 1 ? j/ny : (q^j - 1)/(q^ny - 1) }
@@ -49,17 +50,19 @@ function tetrahedra(i, j, k,    p, c, m, v)
 BEGIN {
     pi = atan2(0, -1); q = grading ? grading^(1/(ny - 1)) : 1
     split("123 132 231 213 312 321", order)
-    print "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n3"
-    print "2 1 \"open\"\n2 2 \"wall\"\n3 7 \"gas\"\n$EndPhysicalNames\n$Nodes\n" (nx + 1)*(ny + 1)*(nz + 1)
+    patches = split(sides ? "left right front back low high" : "open wall", patch)
+    print "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n" patches + 1
+    for (p = 1; p <= patches; p++) print 2, p, "\"" patch[p] "\""
+    print "3 7 \"gas\"\n$EndPhysicalNames\n$Nodes\n" (nx + 1)*(ny + 1)*(nz + 1)
     for (k = 0; k <= nz; k++) for (j = 0; j <= ny; j++) for (i = 0; i <= nx; i++)
         print node(i, j, k), point(i, j, k)
     for (k = 0; k < nz; k++) for (j = 0; j < ny; j++) for (i = 0; i < nx; i += nx)
         for (e = 0; e < 2; e++)
-            side(1, node(e*nx, j, k), node(e*nx, j + 1, k), node(e*nx, j + 1, k + 1), node(e*nx, j, k + 1))
+            side(sides ? 1 + e : 1, node(e*nx, j, k), node(e*nx, j + 1, k), node(e*nx, j + 1, k + 1), node(e*nx, j, k + 1))
     for (k = 0; k < nz; k++) for (i = 0; i < nx; i++) for (e = 0; e < 2; e++)
-        side(e && !wallTop ? 1 : 2, node(i, e*ny, k), node(i + 1, e*ny, k), node(i + 1, e*ny, k + 1), node(i, e*ny, k + 1))
+        side(sides ? 3 + e : e && !wallTop ? 1 : 2, node(i, e*ny, k), node(i + 1, e*ny, k), node(i + 1, e*ny, k + 1), node(i, e*ny, k + 1))
     for (j = 0; j < ny; j++) for (i = 0; i < nx; i++) for (e = 0; e < 2; e++)
-        side(1, node(i, j, e*nz), node(i + 1, j, e*nz), node(i + 1, j + 1, e*nz), node(i, j + 1, e*nz))
+        side(sides ? 5 + e : 1, node(i, j, e*nz), node(i + 1, j, e*nz), node(i + 1, j + 1, e*nz), node(i, j + 1, e*nz))
     for (k = 0; k < nz; k++) for (j = 0; j < ny; j++) for (i = 0; i < nx; i++)
         if (cell == "hex")
             element(5, 7, node(i, j, k) " " node(i + 1, j, k) " " node(i + 1, j + 1, k) " " node(i, j + 1, k) \

@@ -16,9 +16,9 @@
 // /(1 - x^2/a^2 - y^2/b^2)^(1/2), which makes the surfaces fit (Johnson & Greenwood 2005); a and b
 // where elastic plus surface energy is least (Giudici, Vella & Griffiths 2024): the energy release
 // rate G along the edge (a cos t, b sin t) meets  int G cos^2(t) dt = int G sin^2(t) dt = pi W.
-// J & G have G = W at the ends of the axes only, which numerical solutions leave the sooner
-// the slimmer the ellipse. g and h are fitted to the solution for lambda from 7.5e-4 to 1:
-// g to 5e-6, h to 2e-5 of itself.
+// J & G have G = W at the ends of the axes only. An edge free to take any shape (G = W all along
+// it, tests/tools/DEM/freeEdge.hpp) holds 1e-4 more than the ellipse at R_w = r/2, 4e-4 at r/4.
+// g and h are fitted for lambda from 7.5e-4 to 1: g to 5e-6, h to 2e-5 of itself.
 //
 //     wire R_w/r                          20      5       1       0.5     0.25    0.11
 //     pull-off force over a flat wall's   0.9759  0.9126  0.7045  0.5721  0.4389  0.3050
