@@ -63,8 +63,8 @@ Usage
 #include "PhaseIncompressibleTurbulenceModel.H"
 #include "pimpleControl.H"
 #include "fvOptions.H"
-#include "fixedFluxPressureFvPatchScalarField.H"
-#include "surfaceInterpolationScheme.H"
+#include "gaussGrad.H"
+#include "linear.H"
 #include "clockTime.H"
 #include "dustCloud.H"
 #include "modelTable.H"
@@ -150,14 +150,15 @@ int main(int argc, char *argv[])
             {
                 #include "UEqn.H"
 
+                bool repeated = false;
                 while (pimple.correct())
                 {
                     #include "pEqn.H"
                 }
 
-                if (pimple.finalIter())
+                if (dust.twoWay() && pimple.finalIter())
                 {
-                    #include "exchangeChecks.H"
+                    #include "moreCorrectors.H"
                 }
 
                 if (pimple.turbCorr())
@@ -178,9 +179,9 @@ int main(int argc, char *argv[])
         if (dust.twoWay())
         {
             Info<< nl << "  Exchange: momentum that the gas lost in a step at"
-                << " most " << momentumLost << " of its own, resistance of the"
-                << " dust differs by at most " << resistanceJump
-                << " between neighbouring cells" << endl;
+                << " most " << momentumLost << " of its own, "
+                << moreCorrectors << " pressure correctors more than asked for"
+                << endl;
         }
     }
 
