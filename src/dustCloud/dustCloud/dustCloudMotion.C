@@ -391,8 +391,32 @@ void Foam::dustCloud::leaveRank(dustParcel& p)
     p.blob().setSize(label(state.size()));
     std::copy(state.begin(), state.end(), p.blob().begin());
 
+    const dem::GasLoad& load =
+        dem_->system->gasLoad(std::size_t(p.demIndex()));
+    p.load()[0] = load.Sp;
+    p.load()[1] = load.SpOmega;
+    for (int i = 0; i < 3; ++i)
+    {
+        p.load()[2 + i] = load.Uc[i];
+        p.load()[5 + i] = load.Su[i];
+        p.load()[8 + i] = load.omegaC[i];
+    }
+
     leaving_[std::size_t(p.demIndex())] = 1;
     p.demIndex() = -1;
+}
+
+
+void Foam::dustCloud::unpackLoad(const dustParcel& p)
+{
+    const FixedList<scalar, 11>& v = p.load();
+    dem::GasLoad load;
+    load.Sp = v[0];
+    load.SpOmega = v[1];
+    load.Uc = dem::Vec3(v[2], v[3], v[4]);
+    load.Su = dem::Vec3(v[5], v[6], v[7]);
+    load.omegaC = dem::Vec3(v[8], v[9], v[10]);
+    dem_->system->setGasLoad(std::size_t(p.demIndex()), load);
 }
 
 
