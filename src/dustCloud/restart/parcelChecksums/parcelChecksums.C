@@ -28,6 +28,8 @@ License
 #include "OStringStream.H"
 
 #include <cstring>
+#include <iomanip>
+#include <sstream>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -105,9 +107,9 @@ public:
 
 static word hexadecimal(const uint64_t value)
 {
-    char text[18];
-    std::snprintf(text, sizeof(text), "x%016llx", (unsigned long long)(value));
-    return word(text);
+    std::ostringstream text;
+    text << 'x' << std::hex << std::setw(16) << std::setfill('0') << value;
+    return word(text.str());
 }
 
 

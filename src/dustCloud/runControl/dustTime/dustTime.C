@@ -456,11 +456,33 @@ bool Foam::dustTime::writeObject
     beganWriting_ = double(clock::getTime());
 
     begin();
-    #if OPENFOAM >= 2006
-    const bool ok = Time::writeObject(streamOpt, valid);
-    #else
-    const bool ok = Time::writeObject(fmt, ver, cmp, valid);
-    #endif
+
+    // OpenFOAM's own error says only at which list it came. Not where another
+    // thread writes: nobody would catch it there.
+    const bool catches = fileHandler().type() != "collated";
+    const bool throwing = FatalError.throwExceptions(catches);
+    const bool throwingIO = FatalIOError.throwExceptions(catches);
+    bool ok = false;
+    string why;
+    try
+    {
+        #if OPENFOAM >= 2006
+        ok = Time::writeObject(streamOpt, valid);
+        #else
+        ok = Time::writeObject(fmt, ver, cmp, valid);
+        #endif
+    }
+    catch (const Foam::error& e)
+    {
+        why = e.message();
+    }
+    FatalError.throwExceptions(throwing);
+    FatalIOError.throwExceptions(throwingIO);
+    if (why.size())
+    {
+        fail(why);
+    }
+
     finish(ok);
     purge();
 
