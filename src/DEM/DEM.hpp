@@ -3,6 +3,7 @@
 #pragma once
 
 #include "contactModels/contactModel/contactModelTable.hpp"
+#include "contacts/PackedState.hpp"
 #include "materials/MaterialTable.hpp"
 #include "particles/errors.hpp"
 #include "reducedStiffness/ReducedStiffness.hpp"

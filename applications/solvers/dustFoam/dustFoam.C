@@ -54,7 +54,9 @@ Usage
     dustFoam -models prints the forces, dispersion and injection models.
 
     Restart: startFrom latestTime. Exact with writeFormat binary or
-    writePrecision 17.
+    writePrecision 17. What is incomplete after a kill is passed over; SIGTERM,
+    SIGINT, SIGHUP, SIGUSR1 and maxWallTime (controlDict) end the run after its
+    step with all written and exit code 0: see dustTime.H.
 
 \*---------------------------------------------------------------------------*/
 
@@ -67,6 +69,7 @@ Usage
 #include "linear.H"
 #include "clockTime.H"
 #include "dustCloud.H"
+#include "dustTime.H"
 #include "modelTable.H"
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
@@ -95,7 +98,10 @@ int main(int argc, char *argv[])
     }
 
     #include "setRootCaseLists.H"
-    #include "createTime.H"
+
+    Info<< "Create time" << nl << endl;
+    dustTime runTime(args);
+
     #include "exactTime.H"
     #include "createMesh.H"
     #include "createFields.H"
@@ -110,6 +116,7 @@ int main(int argc, char *argv[])
             ++runTime;
             dust.evolve();
             runTime.write();
+            runTime.stopIfAsked();
         }
     }
     else
@@ -174,6 +181,7 @@ int main(int argc, char *argv[])
 
             gasSeconds = gasClock.elapsedTime();
             runTime.write();
+            runTime.stopIfAsked();
         }
 
         if (dust.twoWay())

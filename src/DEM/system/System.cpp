@@ -3,6 +3,7 @@
 
 #include "contactModels/contactModel/ContactLaw.hpp"
 #include "contacts/ContactRecord.hpp"
+#include "contacts/PackedState.hpp"
 #include "contacts/clusterMargins.hpp"
 #include "island/Island.hpp"
 #include "neighbourSearch/BoxGrid.hpp"
@@ -41,9 +42,8 @@ double since(Clock::time_point& start)
 constexpr double speedMargin = 1.2;
 constexpr double leastPath = 1e-3;      // [radii]
 
-// Numbers per contact and per particle in a packed state
-constexpr std::size_t contactNumbers = 5 + maxHistory;
-constexpr std::size_t restNumbers = 13;
+constexpr std::size_t contactNumbers = PackedState::contactNumbers;
+constexpr std::size_t restNumbers = PackedState::restNumbers;
 
 }
 
@@ -1435,6 +1435,12 @@ void System::setGasLoad(std::size_t i, const GasLoad& load)
 }
 
 
+const GasLoad& System::gasLoad(std::size_t i) const
+{
+    return impl_->gas[impl_->checked(i)];
+}
+
+
 StepReport System::advance(double dt)
 {
     if (!(dt > 0 && std::isfinite(dt)))
@@ -1678,7 +1684,7 @@ std::vector<int> System::unpackState
     Implementation& s = *impl_;
     s.checked(i);
     if (state.empty()) return {};
-    if (state.size() < restNumbers || (state.size() - restNumbers)%contactNumbers)
+    if (!PackedState::fits(state.size()))
     {
         throw inputError
         (

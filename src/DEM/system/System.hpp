@@ -97,6 +97,7 @@ public:
 
         //- The gas force on a particle during the next advance(): Sp (Uc - v) + Su [N]
         void setGasLoad(std::size_t index, const GasLoad& load);
+        const GasLoad& gasLoad(std::size_t index) const;
 
 
     // Motion

@@ -260,6 +260,7 @@ void Foam::dustCloud::addArrivals()
         {
             p.demIndex() = label(system.add(particle));
             p.loaded() = false;
+            unpackLoad(p);
 
             if (p.blob().size())
             {
@@ -433,8 +434,11 @@ void Foam::dustCloud::decideCoupling()
     }
 
     // A flow that comes from a solver is not uniform
-    const scalar spread =
-        returnReduce(max(mag(U_.primitiveField() - U_[0])), maxOp<scalar>());
+    const vector spreads
+    (
+        gMax(U_.primitiveField()) - gMin(U_.primitiveField())
+    );
+    const scalar spread = mag(spreads);
 
     if (d.gas == "auto")
     {
@@ -495,7 +499,8 @@ Foam::dustCloud::dustCloud
         rho,
         U,
         mu,
-        g
+        g,
+        false
     ),
     dem_(new demData(particleProperties_)),
     density_(0),
@@ -543,6 +548,7 @@ Foam::dustCloud::dustCloud
             density_ = m.density;
         }
     }
+    readParcels();
     readSizes();
 
     if (d.properties.automaticRatio())
@@ -684,9 +690,7 @@ Foam::dustCloud::dustCloud
 
     decideCoupling();
 
-    checkLedger();
-    readCounters();
-    checkCounters();
+    readWalls();
     findAgain();
     d.system->setTime(mesh_.time().value());
     addArrivals();

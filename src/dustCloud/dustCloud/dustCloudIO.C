@@ -22,6 +22,7 @@ License
 #include "dustCloudData.H"
 #include "dustSnapshot.H"
 #include "contactWriter.H"
+#include "parcelChecksums.H"
 
 #include "indexedOctree.H"
 #include "treeDataFace.H"
@@ -35,58 +36,25 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::dustCloud::readCounters()
+void Foam::dustCloud::readCounters(const dictionary& ledger)
 {
-    const dictionary* ledgerPtr = outputProperties_.findDict("ledger");
+    ledger.readEntry("injected", injected_.count);
+    ledger.readEntry("injectedMass", injected_.mass);
+    ledger.readEntry("refused", refused_.count);
+    ledger.readEntry("refusedMass", refused_.mass);
+    ledger.readEntry("nextId", nextId_);
 
-    if (ledgerPtr)
+    for (const entry& e : ledger.subDict("escaped"))
     {
-        const dictionary& ledger = *ledgerPtr;
+        const label patchi = mesh_.boundaryMesh().findPatchID(e.keyword());
+        tally& t =
+            patchi >= 0 && patchi < escaped_.size()
+          ? escaped_[patchi]
+          : escapedBefore_(e.keyword());
 
-        ledger.readEntry("injected", injected_.count);
-        ledger.readEntry("injectedMass", injected_.mass);
-        ledger.readEntry("refused", refused_.count);
-        ledger.readEntry("refusedMass", refused_.mass);
-        ledger.readEntry("nextId", nextId_);
-
-        for (const entry& e : ledger.subDict("escaped"))
-        {
-            const label patchi =
-                mesh_.boundaryMesh().findPatchID(e.keyword());
-            tally& t =
-                patchi >= 0 && patchi < escaped_.size()
-              ? escaped_[patchi]
-              : escapedBefore_(e.keyword());
-
-            e.dict().readEntry("count", t.count);
-            e.dict().readEntry("mass", t.mass);
-        }
-        readWalls(ledger);
-        return;
+        e.dict().readEntry("count", t.count);
+        e.dict().readEntry("mass", t.mass);
     }
-
-    // No run of ours wrote these parcels: they count as injected, with
-    // identities of our own
-    const label offset = Pstream::myProcNo();
-    labelList sizes(Pstream::nProcs(), Zero);
-    sizes[offset] = size();
-    Pstream::listCombineGather(sizes, plusEqOp<label>());
-    Pstream::listCombineScatter(sizes);
-
-    for (label proci = 0; proci < offset; ++proci)
-    {
-        nextId_ += sizes[proci];
-    }
-    for (dustParcel& p : *this)
-    {
-        p.origProc() = 0;
-        p.origId() = nextId_++;
-        p.rho() = density_;
-    }
-    nextId_ = sum(sizes);
-
-    injected_.count = nextId_;
-    injected_.mass = returnReduce(massInSystem(), sumOp<scalar>());
 }
 
 
@@ -125,6 +93,8 @@ void Foam::dustCloud::storeCounters()
     #endif
 
     dictionary ledger;
+    ledger.set("version", ledgerVersion);
+    ledger.set("timeIndex", mesh_.time().timeIndex());
     ledger.set("injected", injected_.count);
     ledger.set("injectedMass", injected_.mass);
     ledger.set("refused", refused_.count);
@@ -159,10 +129,15 @@ void Foam::dustCloud::storeCounters()
     }
     ledger.set("escaped", escaped);
 
-    // The last entry, and in it what the count check needs: missing in a file
-    // that was cut short
+    // Last, so that a file that was cut short has no end
     outputProperties_.remove("ledger");
     outputProperties_.add("ledger", ledger);
+
+    dictionary checksums(parcelChecksums::of(*this));
+    checksums.set("ledger", parcelChecksums::of(outputProperties_));
+    dictionary& stored = outputProperties_.subDict("ledger");
+    stored.add("checksums", checksums);
+    stored.add("complete", true);
 }
 
 
@@ -327,6 +302,10 @@ bool Foam::dustCloud::writeObject
         std::copy(state.begin(), state.end(), p.blob().begin());
     }
 
+    // Of a neck, the first 6 digits of a place know nothing
+    const unsigned int precision = IOstream::defaultPrecision();
+    IOstream::defaultPrecision(max(precision, 17u));
+
     #if OPENFOAM >= 2006
     const bool ok =
         KinematicCloud<Cloud<dustParcel>>::writeObject(streamOpt, valid);
@@ -334,11 +313,6 @@ bool Foam::dustCloud::writeObject
     const bool ok =
         KinematicCloud<Cloud<dustParcel>>::writeObject(fmt, ver, cmp, valid);
     #endif
-
-    for (dustParcel& p : self)
-    {
-        p.blob().clear();
-    }
 
     self.storeCounters();
     #if OPENFOAM >= 2006
@@ -356,6 +330,13 @@ bool Foam::dustCloud::writeObject
         true
     );
     #endif
+
+    IOstream::defaultPrecision(precision);
+
+    for (dustParcel& p : self)
+    {
+        p.blob().clear();
+    }
 
     writeDeposit();
 

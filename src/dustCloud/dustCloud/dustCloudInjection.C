@@ -243,6 +243,7 @@ void Foam::dustCloud::inject(dustParcel::trackingData& td, const bool streams)
     Pstream::listCombineScatter(overlaps);
 
     sphereGrid grid(largest);
+    DynamicList<dustParcel*> starting;
 
     forAll(candidates, i)
     {
@@ -322,6 +323,7 @@ void Foam::dustCloud::inject(dustParcel::trackingData& td, const bool streams)
             }
             pPtr->state() = dustParcel::airborne;
             pPtr->demIndex() = -1;
+            starting.append(pPtr);
         }
         if (!c.numbered)
         {
@@ -329,6 +331,7 @@ void Foam::dustCloud::inject(dustParcel::trackingData& td, const bool streams)
         }
     }
 
+    settleStarts(starting);
     addArrivals();
 
     if (streams && Pstream::parRun())

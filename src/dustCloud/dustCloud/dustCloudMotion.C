@@ -23,6 +23,7 @@ License
 #include "cellCrossing.H"
 #include "cellWall.H"
 #include "gasLoads.H"
+#include "startCells.H"
 
 #include "PstreamBuffers.H"
 #include "InjectionModelList.H"
@@ -32,6 +33,21 @@ License
 #include "SurfaceFilmModel.H"
 
 #include <cmath>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- Tracked place, which says in which cell a particle is: on a face at the
+//  end of the mesh of a rank, OpenFOAM finds no place for it
+static point justInside(const polyMesh& mesh, const point& x, const label celli)
+{
+    return x + 1e-7*(mesh.cellCentres()[celli] - x);
+}
+
+} // End namespace Foam
+
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -219,53 +235,134 @@ void Foam::dustCloud::settleBlocked()
         }
         Pstream::listCombineGather(owner[proci], maxEqOp<label>());
         Pstream::listCombineScatter(owner[proci]);
+        forAll(all[proci], i)
+        {
+            if (owner[proci][i] != Pstream::myProcNo())
+            {
+                cell[proci][i] = -1;
+            }
+        }
+        Pstream::listCombineGather(cell[proci], maxEqOp<label>());
+        Pstream::listCombineScatter(cell[proci]);
     }
 
-    PstreamBuffers buffers(Pstream::commsTypes::nonBlocking);
-
+    DynamicList<dustParcel*> found;
+    labelList owners;
+    labelList cells;
     const labelList& myOwners = owner[Pstream::myProcNo()];
+    const labelList& theirCells = cell[Pstream::myProcNo()];
     forAll(blocked_, i)
     {
-        dustParcel& p = *blocked_[i];
-
         if (myOwners[i] < 0)
         {
             // x is outside the mesh: behind a facet of a curved wall. The cell
             // stays the last one; the next step looks again.
             ++dem_->offMesh;
         }
-        else if (myOwners[i] != Pstream::myProcNo())
+        else
         {
-            leaveRank(p);
-            UOPstream toOwner(myOwners[i], buffers);
-            toOwner << p;
-            deleteParticle(p);
+            found.append(blocked_[i]);
+            owners.append(myOwners[i]);
+            cells.append(theirCells[i]);
+        }
+    }
+    blocked_.clear();
+    handOver(found, owners, cells);
+}
+
+
+void Foam::dustCloud::handOver
+(
+    const UList<dustParcel*>& parcels,
+    const labelList& owner,
+    const labelList& cell
+)
+{
+    PstreamBuffers buffers(Pstream::commsTypes::nonBlocking);
+
+    for (label proci = 0; proci < Pstream::nProcs(); ++proci)
+    {
+        DynamicList<label> cells;
+        forAll(parcels, i)
+        {
+            if (owner[i] == proci && proci != Pstream::myProcNo())
+            {
+                cells.append(cell[i]);
+            }
+        }
+        if (cells.empty())
+        {
+            continue;
+        }
+
+        UOPstream toOwner(proci, buffers);
+        toOwner << labelList(cells);
+        forAll(parcels, i)
+        {
+            if (owner[i] == proci)
+            {
+                leaveRank(*parcels[i]);
+                toOwner << *parcels[i];
+                deleteParticle(*parcels[i]);
+            }
         }
     }
 
     labelList received;
     buffers.finishedSends(received);
 
-    forAll(all, proci)
+    forAll(received, proci)
     {
         if (proci == Pstream::myProcNo() || !received[proci])
         {
             continue;
         }
         UIPstream fromRank(proci, buffers);
-        forAll(owner[proci], i)
+        const labelList cells(fromRank);
+        for (const label celli : cells)
         {
-            if (owner[proci][i] == Pstream::myProcNo())
-            {
-                dustParcel* pPtr = new dustParcel(mesh_, fromRank);
-                pPtr->relocate(pPtr->x(), cell[proci][i]);
-                pPtr->moved() = false;
-                addParticle(pPtr);
-            }
+            dustParcel* pPtr = new dustParcel(mesh_, fromRank);
+            pPtr->relocate(justInside(mesh_, pPtr->x(), celli), celli);
+            pPtr->moved() = false;
+            addParticle(pPtr);
         }
     }
+}
 
-    blocked_.clear();
+
+void Foam::dustCloud::settleStarts(const UList<dustParcel*>& starting)
+{
+    DynamicList<dustParcel*> between;
+    DynamicList<point> places;
+    startCells cells(mesh_);
+
+    for (dustParcel* pPtr : starting)
+    {
+        if (cells.onFace(pPtr->x(), pPtr->cell()))
+        {
+            between.append(pPtr);
+            places.append(pPtr->x());
+        }
+    }
+    if (!returnReduce(between.size(), sumOp<label>()))
+    {
+        return;
+    }
+
+    cells.find(pointField(places));
+    forAll(between, i)
+    {
+        if
+        (
+            cells.owner()[i] == Pstream::myProcNo()
+         && cells.cell()[i] != between[i]->cell()
+        )
+        {
+            const label celli = cells.cell()[i];
+            between[i]->relocate(justInside(mesh_, places[i], celli), celli);
+        }
+    }
+    handOver(between, cells.owner(), cells.cell());
 }
 
 
@@ -391,8 +488,32 @@ void Foam::dustCloud::leaveRank(dustParcel& p)
     p.blob().setSize(label(state.size()));
     std::copy(state.begin(), state.end(), p.blob().begin());
 
+    const dem::GasLoad& load =
+        dem_->system->gasLoad(std::size_t(p.demIndex()));
+    p.load()[0] = load.Sp;
+    p.load()[1] = load.SpOmega;
+    for (int i = 0; i < 3; ++i)
+    {
+        p.load()[2 + i] = load.Uc[i];
+        p.load()[5 + i] = load.Su[i];
+        p.load()[8 + i] = load.omegaC[i];
+    }
+
     leaving_[std::size_t(p.demIndex())] = 1;
     p.demIndex() = -1;
+}
+
+
+void Foam::dustCloud::unpackLoad(const dustParcel& p)
+{
+    const FixedList<scalar, 11>& v = p.load();
+    dem::GasLoad load;
+    load.Sp = v[0];
+    load.SpOmega = v[1];
+    load.Uc = dem::Vec3(v[2], v[3], v[4]);
+    load.Su = dem::Vec3(v[5], v[6], v[7]);
+    load.omegaC = dem::Vec3(v[8], v[9], v[10]);
+    dem_->system->setGasLoad(std::size_t(p.demIndex()), load);
 }
 
 

@@ -21,13 +21,27 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "dustCloudData.H"
+#include "parcelChecksums.H"
+#include "restartCheck.H"
 
 #include "fvcSurfaceIntegrate.H"
+
+#include "InjectionModelList.H"
+#include "DispersionModel.H"
+#include "PatchInteractionModel.H"
+#include "StochasticCollisionModel.H"
+#include "SurfaceFilmModel.H"
+
+#include <cmath>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::dustCloud::checkLedger() const
 {
+    const fileName path
+    (
+        "uniform"/cloud::prefix/name()/outputProperties_.name()
+    );
     const bool found = outputProperties_.found("ledger");
     const bool some = returnReduce(found, orOp<bool>());
 
@@ -35,8 +49,7 @@ void Foam::dustCloud::checkLedger() const
     {
         FatalErrorInFunction
             << "The files of time " << mesh_.time().timeName()
-            << " do not belong together: uniform/lagrangian/" << name()
-            << '/' << outputProperties_.name()
+            << " do not belong together: " << path.c_str()
             << " is missing or cut short on some of the ranks" << nl
             << "    Restore it, or start from another time"
             << exit(FatalError);
@@ -56,16 +69,169 @@ void Foam::dustCloud::checkLedger() const
             << " cut short" << nl
             << "    Restore it, or start from another time; to count the"
             << " particles as injected now, without their contacts, delete x,"
-            << " omega, state and contactHistory in lagrangian/" << name()
+            << " omega, state and contacts in lagrangian/" << name()
             << ", too" << exit(FatalError);
+    }
+
+    if (!found)
+    {
+        return;
+    }
+
+    const dictionary& ledger = outputProperties_.subDict("ledger");
+    const label version = ledger.lookupOrDefault<label>("version", 1);
+    if (version != ledgerVersion)
+    {
+        FatalErrorInFunction
+            << path.c_str() << " of time " << mesh_.time().timeName()
+            << " has version " << version << nl
+            << "    allowed: " << ledgerVersion << ", as this dustFoam writes"
+            << exit(FatalError);
+    }
+    if (!ledger.lookupOrDefault("complete", false))
+    {
+        FatalErrorInFunction
+            << "The files of time " << mesh_.time().timeName()
+            << " are not complete: " << path.c_str() << " is cut short" << nl
+            << "    Restore it, or start from another time"
+            << exit(FatalError);
     }
 }
 
 
-void Foam::dustCloud::readWalls(const dictionary& ledger)
+void Foam::dustCloud::readParcels()
+{
+    checkLedger();
+
+    const dictionary* ledgerPtr = outputProperties_.findDict("ledger");
+    label nWalls = 0;
+    if (ledgerPtr)
+    {
+        readCounters(*ledgerPtr);
+        checkCounters();
+        nWalls = ledgerPtr->get<wordList>("walls").size();
+    }
+
+    dustParcel::readFields(*this);
+
+    const restartCheck check(*this, density_, nWalls, ledgerPtr);
+    if (ledgerPtr)
+    {
+        checkSums(*ledgerPtr);
+    }
+    check.values();
+    if (ledgerPtr)
+    {
+        check.identities();
+    }
+    else
+    {
+        adoptParcels();
+    }
+    check.places();
+}
+
+
+void Foam::dustCloud::checkSums(const dictionary& ledger) const
+{
+    const Time& time = mesh_.time();
+    const label timeIndex = ledger.get<label>("timeIndex");
+
+    if (timeIndex != time.timeIndex())
+    {
+        FatalErrorInFunction
+            << "The files of time " << time.timeName()
+            << " do not belong together: uniform/time has the index "
+            << time.timeIndex() << " (or is missing), uniform/lagrangian/"
+            << name() << '/' << outputProperties_.name() << " was written at "
+            << timeIndex << nl
+            << "    Restore uniform/time, or start from another time"
+            << exit(FatalError);
+    }
+
+    const dictionary* thenPtr = ledger.findDict("checksums");
+    if (!thenPtr)
+    {
+        Info<< "Note: the ledger of time " << time.timeName() << " has no"
+            << " checksums: the particles are taken as the files have them"
+            << nl << endl;
+        return;
+    }
+
+    dictionary all(outputProperties_);
+    all.subDict("ledger").remove("checksums");
+    all.subDict("ledger").remove("complete");
+
+    dictionary now(parcelChecksums::of(*this));
+    now.set("ledger", parcelChecksums::of(all));
+
+    wordList changed(parcelChecksums::changed(*thenPtr, now));
+    if (changed.empty())
+    {
+        return;
+    }
+    // The sums of all others depend on it (and those of the contacts cover
+    // rest* and contact*)
+    if (changed.found("identity"))
+    {
+        changed = wordList(1, "identity");
+    }
+    FatalErrorInFunction
+        << "The files of time " << time.timeName() << " are not as dustFoam"
+        << " has written them: ";
+    for (const word& field : changed)
+    {
+        const fileName file
+        (
+            field == "ledger"
+          ? "uniform"/cloud::prefix/name()/outputProperties_.name()
+          : cloud::prefix/name()/field
+        );
+        FatalError
+            << (&field == &changed.first() ? "" : ", ") << file.c_str();
+    }
+    FatalError
+        << nl << "    They were changed or damaged, or a tool has rounded them"
+        << " (writeFormat ascii needs writePrecision 17)." << nl
+        << "    Restore them, or start from another time; to take them as they"
+        << " are, delete checksums in uniform/lagrangian/" << name() << '/'
+        << outputProperties_.name() << exit(FatalError);
+}
+
+
+void Foam::dustCloud::adoptParcels()
+{
+    // No run of ours wrote these parcels: they count as injected, with
+    // identities of our own
+    const label offset = Pstream::myProcNo();
+    labelList sizes(Pstream::nProcs(), Zero);
+    sizes[offset] = size();
+    Pstream::listCombineGather(sizes, plusEqOp<label>());
+    Pstream::listCombineScatter(sizes);
+
+    for (label proci = 0; proci < offset; ++proci)
+    {
+        nextId_ += sizes[proci];
+    }
+    for (dustParcel& p : *this)
+    {
+        p.origProc() = 0;
+        p.origId() = nextId_++;
+        p.rho() = density_;
+    }
+    nextId_ = sum(sizes);
+
+    injected_.count = nextId_;
+    injected_.mass = returnReduce(massInSystem(), sumOp<scalar>());
+}
+
+
+void Foam::dustCloud::readWalls()
 {
     demData& d = *dem_;
-    d.wallsThen = ledger.lookupOrDefault<wordList>("walls", wordList());
+    d.wallsThen =
+        outputProperties_.subOrEmptyDict("ledger")
+       .lookupOrDefault<wordList>("walls", wordList());
 
     const auto& patches = d.system->walls().patches;
 
@@ -110,7 +276,14 @@ void Foam::dustCloud::findAgain()
     // Whether the stored tetrahedron is one of this mesh
     const auto fits = [this](const dustParcel& p)
     {
-        if (p.cell() < 0 || p.cell() >= mesh_.nCells())
+        const barycentric& b = p.coordinates();
+        if
+        (
+            p.cell() < 0 || p.cell() >= mesh_.nCells()
+         || !std::isfinite(b.a()) || !std::isfinite(b.b())
+         || !std::isfinite(b.c()) || !std::isfinite(b.d())
+         || mag(b.a()) > 1e6 || mag(b.b()) > 1e6 || mag(b.c()) > 1e6
+        )
         {
             return false;
         }

@@ -60,6 +60,7 @@ Foam::dustParcel::dustParcel
     owed_(Zero),
     response_(0),
     held_(false),
+    load_(scalar(0)),
     blob_(),
     demIndex_(-1),
     loaded_(false)
@@ -81,6 +82,7 @@ Foam::dustParcel::dustParcel
     owed_(Zero),
     response_(0),
     held_(false),
+    load_(scalar(0)),
     blob_(),
     demIndex_(-1),
     loaded_(false)
@@ -103,6 +105,7 @@ Foam::dustParcel::dustParcel
     owed_(Zero),
     response_(0),
     held_(false),
+    load_(scalar(0)),
     blob_(),
     demIndex_(-1),
     loaded_(false)
@@ -111,7 +114,8 @@ Foam::dustParcel::dustParcel
     {
         if (is.format() == IOstream::ASCII)
         {
-            is >> omega_ >> x_ >> state_ >> moved_ >> owed_ >> response_ >> held_;
+            is >> omega_ >> x_ >> state_ >> moved_ >> owed_ >> response_ >> held_
+                >> load_;
         }
         else
         {
@@ -134,6 +138,7 @@ Foam::dustParcel::dustParcel(const dustParcel& p, const polyMesh& mesh)
     owed_(p.owed_),
     response_(p.response_),
     held_(p.held_),
+    load_(p.load_),
     blob_(p.blob_),
     demIndex_(-1),
     loaded_(false)
@@ -179,7 +184,8 @@ Foam::Ostream& Foam::operator<<(Ostream& os, const dustParcel& p)
             << token::SPACE << p.moved_
             << token::SPACE << p.owed_
             << token::SPACE << p.response_
-            << token::SPACE << p.held_;
+            << token::SPACE << p.held_
+            << token::SPACE << p.load_;
     }
     else
     {
