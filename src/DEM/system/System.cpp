@@ -1414,6 +1414,18 @@ bool System::inContact(std::size_t i) const
 }
 
 
+Vec3 System::wallNormal(std::size_t i) const
+{
+    Vec3 sum = Vec3::Zero();
+    for (const ContactRecord& c : impl_->contacts[impl_->checked(i)])
+    {
+        if (c.wall >= 0) sum += Vec3(c.n[0], c.n[1], c.n[2]);
+    }
+    const double length = sum.norm();
+    return length > 0 ? Vec3(sum/length) : sum;
+}
+
+
 void System::setGasLoad(std::size_t i, const GasLoad& load)
 {
     if

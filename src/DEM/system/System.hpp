@@ -92,6 +92,10 @@ public:
         //- In at least one contact (pair or wall) at the end of the last advance()
         bool inContact(std::size_t index) const;
 
+        //- Unit vector into the wall that the particle has a contact with, of several walls their
+        //  mean; zero: none
+        Vec3 wallNormal(std::size_t index) const;
+
 
     // Gas
 

@@ -540,6 +540,7 @@ Foam::dustCloud::dustCloud
     );
     d.dispersion =
         subModelProperties_.get<word>("dispersionModel") != "none";
+    findOwnForces();
 
     for (const dem::Material& m : d.properties.materials())
     {

@@ -20,6 +20,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "dustCloudData.H"
+#include "brownianMotion.H"
 #include "cellCrossing.H"
 #include "cellWall.H"
 #include "gasLoads.H"
@@ -53,11 +54,22 @@ static point justInside(const polyMesh& mesh, const point& x, const label celli)
 
 Foam::scalar Foam::dustCloud::particleStepLimit() const
 {
+    const demData& d = *dem_;
     const scalar maxCo = solution_.maxCo();
     scalar limit = solution_.dict().lookupOrDefault<scalar>("deltaTMax", GREAT);
 
     for (const dustParcel& p : *this)
     {
+        if (d.brownian && p.state() <= dustParcel::airborne)
+        {
+            limit = min
+            (
+                limit,
+                d.brownian->longestStep(p, tdPtr_(), U_[p.cell()], maxCo)
+            );
+            continue;
+        }
+
         scalar rate = cellCrossing(mesh_, p.cell(), p.U());
 
         // A particle that follows the gas may be as fast as the gas is
@@ -84,7 +96,6 @@ void Foam::dustCloud::setGasLoads
 )
 {
     demData& d = *dem_;
-    dem::System& system = *d.system;
 
     if (twoWay_)
     {
@@ -97,6 +108,8 @@ void Foam::dustCloud::setGasLoads
 
     DynamicList<label> drags;
     label i = 0;
+    d.kicks.setSize(size());
+    d.kicks = Zero;
 
     for (dustParcel& p : *this)
     {
@@ -140,16 +153,9 @@ void Foam::dustCloud::setGasLoads
                 << exit(FatalError);
         }
 
-        const bool flies =
-            p.state() != dustParcel::resting
-         && p.state() != dustParcel::inContact;
-        dem::GasLoad load =
-            flies ? loads.flight(td.Uc() - Umean, atPoint) : loads.here();
         const vector owed = p.owed()/dt;
-        load.Su += toVec3(owed);
-
-        system.setGasLoad(std::size_t(p.demIndex()), load);
-        p.loaded() = true;
+        d.kicks[parceli] =
+            setGasLoad(p, td, loads, td.Uc() - Umean, owed, subStep);
 
         if (twoWay_)
         {
@@ -165,7 +171,8 @@ void Foam::dustCloud::takeMotion
     const vectorField& nonCoupled
 )
 {
-    const dem::System& system = *dem_->system;
+    dem::System& system = *dem_->system;
+    const bool kicking = dem_->brownian;
     cellShares place(mesh_);
     label i = 0;
 
@@ -173,6 +180,12 @@ void Foam::dustCloud::takeMotion
     {
         const std::size_t index = std::size_t(p.demIndex());
         const dem::Particle& particle = system.particle(index);
+        vector kick(Zero);
+        if (kicking && !system.inContact(index))
+        {
+            kick = p.mass()*dem_->kicks[i];
+            system.kick(index, toVec3(kick));
+        }
 
         if (twoWay_)
         {
@@ -182,7 +195,7 @@ void Foam::dustCloud::takeMotion
             exchangePtr_->give
             (
                 place,
-                toVector(e.impulse) - dt*nonCoupled[i]
+                toVector(e.impulse) + kick - dt*nonCoupled[i]
             );
             p.response() = p.response()*e.memory + e.response;
             p.held() = e.held;

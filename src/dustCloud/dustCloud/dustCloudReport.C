@@ -577,15 +577,19 @@ void Foam::dustCloud::printPlan() const
     line
     (
         "Brownian motion",
-        false,
-        d.diameters[0] > 0
-      ? format
-        (
-            "not in this version; smallest d %.3g m%s",
-            d.diameters[0],
-            d.diameters[0] < 1e-6 ? ", below 1e-6 m it would matter" : ""
+        d.brownian,
+        d.brownian
+      ? std::string("in flight and in contact, not at rest")
+      : "particleForces has no brownianMotion"
+      + (
+            d.diameters[0] > 0 && d.diameters[0] < 1e-6
+          ? format
+            (
+                "; it matters below 1e-6 m, smallest d %.3g m",
+                d.diameters[0]
+            )
+          : std::string()
         )
-      : "not in this version"
     );
     line
     (

@@ -20,8 +20,15 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "gasLoads.H"
+#include "cellWall.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+bool Foam::gasLoads::atPoint() const
+{
+    return isA<cellWall<vector>>(td_.UInterp());
+}
+
 
 Foam::scalar Foam::gasLoads::Re(const scalar slip) const
 {
@@ -47,7 +54,7 @@ void Foam::gasLoads::setMeanDrag(dem::GasLoad& load)
 {
     const dem::Vec3 w = toVec3(p_.U()) - load.Uc;
     const dem::Vec3 end =
-        dem::meanDragDetail::endSlip(w, load.Su, mass_, dt_, load.Sp);
+        dem::meanDragDetail::endSlip(w, load.Su, effective_, dt_, load.Sp);
     const scalar largest = max(w.norm(), end.norm());
 
     if (Re(largest) < 1e-3 || (end - w).norm() <= 1e-11*largest)
@@ -57,7 +64,7 @@ void Foam::gasLoads::setMeanDrag(dem::GasLoad& load)
 
     const dem::MeanDrag mean = dem::meanDrag
     (
-        w, load.Su, mass_, dt_, drag(w.norm()),
+        w, load.Su, effective_, dt_, drag(w.norm()),
         [this](const scalar slip) { return drag(slip); }
     );
     load.Sp = mean.Sp;
@@ -81,6 +88,7 @@ Foam::gasLoads::gasLoads
     td_(td),
     dt_(dt),
     mass_(p.mass()),
+    effective_(forces.massEff(p, td, mass_)),
     coupled_(Zero),
     nonCoupled_(Zero),
     drags_(work)
@@ -113,9 +121,7 @@ dem::GasLoad Foam::gasLoads::here() const
     load.Uc = toVec3(td_.Uc());
     load.Su = toVec3(coupled_.Su() + nonCoupled_.Su());
 
-    // Stokes: 8 pi mu r^3. The vorticity's share is left out: it changes
-    // with the last bits of the decomposition, and its surface speed is
-    // 1e-3 and less of the particle's.
+    // Stokes: 8 pi mu r^3. The vorticity: see vorticityTorque
     load.SpOmega = constant::mathematical::pi*td_.muc()*pow3(p_.d());
 
     return load;
@@ -125,19 +131,24 @@ dem::GasLoad Foam::gasLoads::here() const
 dem::GasLoad Foam::gasLoads::flight
 (
     const vector& fluctuation,
-    const bool atPoint
+    const brownianStep* noise
 )
 {
     dem::GasLoad load = here();
 
-    if (atPoint)
+    if (atPoint())
     {
+        dem::GasLoad first = load;
+        if (noise)
+        {
+            first.Su += toVec3(noise->force(effective_, load.Sp, dt_));
+        }
         dem::Particle half;
-        half.mass = mass_;
+        half.mass = effective_;
         half.radius = 0.5*p_.d();
         half.x = toVec3(p_.x());
         half.v = toVec3(p_.U());
-        dem::fly(half, load, 0.5*dt_);
+        dem::fly(half, first, 0.5*dt_);
 
         load.Uc = toVec3
         (
@@ -149,8 +160,25 @@ dem::GasLoad Foam::gasLoads::flight
     {
         setMeanDrag(load);
     }
+    if (noise)
+    {
+        load.Su += toVec3(noise->force(effective_, load.Sp, dt_));
+    }
 
+    const scalar share = mass_/effective_;
+    load.Sp *= share;
+    load.Su *= share;
     return load;
+}
+
+
+Foam::vector Foam::gasLoads::kick
+(
+    const brownianStep& noise,
+    const dem::GasLoad& flight
+) const
+{
+    return noise.kick(effective_, flight.Sp*effective_/mass_, dt_);
 }
 
 

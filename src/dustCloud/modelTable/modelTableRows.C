@@ -75,8 +75,29 @@ const std::vector<Foam::modelTable::row>& Foam::modelTable::rows()
         },
         {
             force, "SaffmanMeiLiftForce", true,
-            "shear lift, from the curl of the gas velocity",
+            "shear lift in flight, far from walls",
             "", "U U;", "curlUcDt cell;", {}, false
+        },
+        {
+            force, "brownianMotion", true,
+            "exact for any particle step; `T` [K]; drag of the case's law",
+            "", "", "", {}, false
+        },
+        {
+            force, "vorticityTorque", true,
+            "the gas turns particles with half its vorticity; U cellWall",
+            "", "", "", {}, false
+        },
+        {
+            force, "wallShear", true,
+            "drag 1.701, torque 0.944 and lift of what touches a wall",
+            "", "", "", {}, false
+        },
+        {
+            force, "thermophoresis", true,
+            "reads the temperature T [K] from the start time; `lambda` and "
+            "`conductivityRatio`, gas over dust",
+            "", "", "", {{need::scalarField, "T", "T"}}, false
         },
         {
             force, "TomiyamaLift", false,
@@ -89,11 +110,10 @@ const std::vector<Foam::modelTable::row>& Foam::modelTable::rows()
             "", "U U;", "DUcDt cell;", {}, false
         },
         {
-            force, "virtualMass", false,
-            "the DEM system knows no added mass (in air it is about 1e-3 of "
-            "the particle's)",
-            "pressureGradient for the rest of the gas's acceleration",
-            "", "", {}, false
+            force, "virtualMass", true,
+            "added mass in flight, besides pressureGradient; in contact it "
+            "weighs nothing",
+            "", "U U; Cvm 0.5;", "DUcDt cell;", {}, false
         },
         {
             force, "nonInertialFrame", true,

@@ -25,6 +25,7 @@ License
 
 #include "dustCloud.H"
 #include "completedModels.H"
+#include "shearLift.H"
 
 #include "makeParcelCloudFunctionObjects.H"
 
@@ -67,13 +68,13 @@ namespace Foam
 
     typedef dustCloud::kinematicCloudType cloudType;
 
-    template<template<class> class Force>
+    template<class Force>
     static void completeForce()
     {
         ParticleForce<cloudType>::dictionaryConstructorTablePtr_->set
         (
-            Force<cloudType>::typeName,
-            completedForce<Force<cloudType>>::New
+            Force::typeName,
+            completedForce<Force>::New
         );
     }
 
@@ -90,13 +91,14 @@ namespace Foam
     // After OpenFOAM's own, above
     static const bool completed = []
     {
-        completeForce<WenYuDragForce>();
-        completeForce<ErgunWenYuDragForce>();
-        completeForce<PlessisMasliyahDragForce>();
-        completeForce<SaffmanMeiLiftForce>();
-        completeForce<PressureGradientForce>();
-        completeForce<NonInertialFrameForce>();
-        completeForce<ParamagneticForce>();
+        completeForce<WenYuDragForce<cloudType>>();
+        completeForce<ErgunWenYuDragForce<cloudType>>();
+        completeForce<PlessisMasliyahDragForce<cloudType>>();
+        completeForce<shearLift>();
+        completeForce<PressureGradientForce<cloudType>>();
+        completeForce<VirtualMassForce<cloudType>>();
+        completeForce<NonInertialFrameForce<cloudType>>();
+        completeForce<ParamagneticForce<cloudType>>();
 
         completeInjector<CellZoneInjection>();
         completeInjector<ConeInjection>();
