@@ -15,6 +15,15 @@ struct ContactRecord
     int wall;                       // wall patch; -1 = pair
     double n[3];                    // last normal into the wall (wall only)
     double history[maxHistory];
+
+    template<class S, class F>
+    static void fields(S& s, F& f)
+    {
+        f(s.idJ);
+        f(s.wall);
+        f(s.n);
+        f(s.history);
+    }
 };
 
 //- What is remembered of a particle's contacts and rest
@@ -32,6 +41,20 @@ struct RestState
     std::int64_t aggregate = -1;    // lowest id of the members; -1 = does not fly
     int members = 0;
     double arm[3] = {};             // from the centre of mass [m]
+
+    template<class S, class F>
+    static void fields(S& s, F& f)
+    {
+        f(s.inContact);
+        f(s.resting);
+        f(s.quietTime);
+        f(s.force);
+        f(s.wakeForce);
+        f(s.pullOff);
+        f(s.aggregate);
+        f(s.members);
+        f(s.arm);
+    }
 };
 
 }

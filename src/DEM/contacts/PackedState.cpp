@@ -20,13 +20,14 @@ const char* restFault(const double* s)
     {
         if (!integer(s[i])) return "a number that must be whole is not";
     }
-    if ((s[0] != 0 && s[0] != 1) || (s[1] != 0 && s[1] != 1)) return "a flag is neither 0 nor 1";
-    if (s[2] < 0) return "it has been quiet for less than no time";
-    if (s[PackedState::aggregate] < -1 || s[9] < 0 || s[9] > 2e9)
+    if (s[0] != PackedState::version) return "it is of another version";
+    if ((s[1] != 0 && s[1] != 1) || (s[2] != 0 && s[2] != 1)) return "a flag is neither 0 nor 1";
+    if (s[3] < 0) return "it has been quiet for less than no time";
+    if (s[PackedState::aggregate] < -1 || s[10] < 0 || s[10] > 2e9)
     {
         return "the aggregate that it flies with cannot be";
     }
-    if (s[PackedState::aggregate] >= 0 && s[9] == 0)
+    if (s[PackedState::aggregate] >= 0 && s[10] == 0)
     {
         return "it flies with an aggregate of no members";
     }

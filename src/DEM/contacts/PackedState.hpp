@@ -15,11 +15,15 @@ namespace dem
 
 struct PackedState
 {
-    // Of the particle: inContact, resting, quietTime, force (3), wakeForce, pullOff,
+    // Raise it with every change of the fields of RestState or ContactRecord. (1, which began
+    // with whether the particle touches, 0 or 1, had none.)
+    static constexpr double version = 2;
+
+    // Of the particle: version, inContact, resting, quietTime, force (3), wakeForce, pullOff,
     // aggregate, members, arm (3)
-    static constexpr std::size_t restNumbers = 13;
-    static constexpr std::size_t restIntegers[] = {0, 1, 8, 9};
-    static constexpr std::size_t aggregate = 8;     // id of a particle, -1 = none
+    static constexpr std::size_t restNumbers = 14;
+    static constexpr std::size_t restIntegers[] = {0, 1, 2, 9, 10};
+    static constexpr std::size_t aggregate = 9;     // id of a particle, -1 = none
 
     // Of a contact: partner, wall, normal (3), history
     static constexpr std::size_t contactNumbers = 5 + maxHistory;

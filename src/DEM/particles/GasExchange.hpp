@@ -27,6 +27,15 @@ struct GasExchange
 
     //- By a wall or by what rests
     bool held = false;
+
+    template<class S, class F>
+    static void fields(S& s, F& f)
+    {
+        f(s.impulse);
+        f(s.response);
+        f(s.memory);
+        f(s.held);
+    }
 };
 
 }

@@ -3,6 +3,8 @@
 
 #include "particles/vector.hpp"
 
+#include <cmath>
+
 namespace dem
 {
 
@@ -15,6 +17,23 @@ struct GasLoad
     Vec3 Su = Vec3::Zero();     // [N]
     double SpOmega = 0;         // [N m s] >= 0; Stokes: 8 pi mu r^3
     Vec3 omegaC = Vec3::Zero(); // half the gas vorticity [rad/s]
+
+    template<class S, class F>
+    static void fields(S& s, F& f)
+    {
+        f(s.Sp);
+        f(s.Uc);
+        f(s.Su);
+        f(s.SpOmega);
+        f(s.omegaC);
+    }
+
+    bool finite() const
+    {
+        return
+            std::isfinite(Sp) && std::isfinite(SpOmega) && Uc.allFinite() && Su.allFinite()
+         && omegaC.allFinite();
+    }
 };
 
 }

@@ -19,6 +19,18 @@ struct Particle
     Vec3 v = Vec3::Zero();      // [m/s]
     Vec3 omega = Vec3::Zero();  // spin [rad/s]
 
+    template<class S, class F>
+    static void fields(S& s, F& f)
+    {
+        f(s.id);
+        f(s.material);
+        f(s.radius);
+        f(s.mass);
+        f(s.x);
+        f(s.v);
+        f(s.omega);
+    }
+
     //- Of translation and spin [J]
     double kineticEnergy() const
     {

@@ -17,7 +17,8 @@ namespace
 std::vector<double> sound()
 {
     std::vector<double> s(PackedState::restNumbers + 2*PackedState::contactNumbers, 0.0);
-    s[0] = s[1] = 1;
+    s[0] = PackedState::version;
+    s[1] = s[2] = 1;
     s[PackedState::aggregate] = -1;
     double* c = s.data() + PackedState::restNumbers;
     c[PackedState::partner] = -1;
@@ -86,10 +87,11 @@ TEST(packedState, partners_exist_and_have_higher_ids)
 
 TEST(packedState, flags_and_aggregates_are_as_they_can_be)
 {
-    EXPECT_NE(with(0, 2), "");
-    EXPECT_NE(with(1, -1), "");
-    EXPECT_NE(with(2, -1e-9), "");
+    EXPECT_NE(with(0, PackedState::version - 1), "");
+    EXPECT_NE(with(1, 2), "");
+    EXPECT_NE(with(2, -1), "");
+    EXPECT_NE(with(3, -1e-9), "");
     EXPECT_NE(with(PackedState::aggregate, 5), "");     // of no members
     EXPECT_NE(with(PackedState::aggregate, -2), "");
-    EXPECT_NE(with(9, -1), "");
+    EXPECT_NE(with(10, -1), "");
 }

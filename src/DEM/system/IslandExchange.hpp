@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What crosses ranks within one particle step: who is shown to others, how the components of
+// several ranks become one, and the particles of such a component on their way to the rank
+// that moves it, and back.
+#pragma once
+
+#include "contacts/ContactRecord.hpp"
+#include "parallel/Communicator.hpp"
+#include "system/Component.hpp"
+#include "system/Reach.hpp"
+
+#include <map>
+#include <unordered_map>
+#include <vector>
+
+namespace dem
+{
+
+//- One particle with all that is remembered of it, as it travels between ranks
+struct Member
+{
+    Particle p = {};
+    GasLoad gas;
+    RestState rest;
+    std::vector<ContactRecord> contacts;
+    bool pushed = false;        // off the path that it has on its own
+    Corridor corridor;
+    double outran = 0;          // when moved: how fast it has left that [m/s]; 0: it has not
+    std::int64_t component = 0;
+    int owner = 0;
+    std::size_t index = 0;      // on its owner
+    GasExchange exchange = {};
+
+    template<class S, class F>
+    static void fields(S& s, F& f)
+    {
+        f(s.p);
+        f(s.gas);
+        f(s.rest);
+        f(s.contacts);
+        f(s.pushed);
+        f(s.corridor.v);
+        f(s.corridor.near);
+        f(s.corridor.from);
+        f(s.corridor.away);
+        f(s.outran);
+        f(s.component);
+        f(s.owner);
+        f(s.index);
+        f(s.exchange);
+    }
+};
+
+//- A particle that others may meet, and the component of its rank that it belongs to
+struct Shown
+{
+    Box box = {Vec3::Zero(), Vec3::Zero()};
+    Path path;                  // its place, corridor, size, hit and rigid body
+    Component component;
+
+    template<class S, class F>
+    static void fields(S& s, F& f)
+    {
+        f(s.box.low);
+        f(s.box.high);
+        f(s.path.x);
+        f(s.path.corridor.v);
+        f(s.path.corridor.near);
+        f(s.path.corridor.from);
+        f(s.path.corridor.away);
+        f(s.path.size);
+        f(s.path.hit);
+        f(s.path.rigid);
+        f(s.component);
+    }
+};
+
+//- Components as joined over ranks, by the ids that they have on their own ranks
+class JoinedComponents
+{
+public:
+
+    //- Who can meet whom of another rank. shown: by rank; when one can first be hit is taken
+    //  down in its path. The same on every rank.
+    JoinedComponents
+    (
+        std::vector<std::vector<Shown>>& shown, double dt, const Periodic& periodic
+    );
+
+    //- What the component with this id on its own rank has become; nullptr: it was not shown,
+    //  or has met nobody
+    const Component* find(std::int64_t id) const;
+
+private:
+
+    std::int64_t root(std::int64_t id) const;
+    void join(std::int64_t a, std::int64_t b);
+
+    std::map<std::int64_t, Component> components_;
+    std::map<std::int64_t, std::int64_t> parent_;
+};
+
+class IslandExchange
+{
+public:
+
+    explicit IslandExchange(const Communicator& communicator) : communicator_(communicator) {}
+
+    //- Those whose boxes reach into the box of another rank's particles. Collective.
+    std::vector<std::size_t> reachOthers(const std::vector<Box>& boxes) const;
+
+    //- What every rank shows, by rank. Collective.
+    std::vector<std::vector<Shown>> everybody(const std::vector<Shown>& mine) const;
+
+    //- The largest speed of each shared component over all ranks. Collective.
+    void shareFastest(std::vector<Component>& components) const;
+
+    //- Send the members toRank[r] to rank r; what has come from the others, by rank. Collective.
+    std::vector<Member> exchange(const std::vector<std::vector<Member>>& toRank) const;
+
+private:
+
+    const Communicator& communicator_;
+};
+
+}

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "system/IslandMotion.hpp"
+
+#include "contactModels/contactModel/ContactLaw.hpp"
+#include "timeIntegration/RigidAggregate.hpp"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace dem
+{
+
+bool IslandMembers::holdsFor(const std::vector<Member>& other) const
+{
+    return !outran && std::equal
+    (
+        members.begin(), members.end(), other.begin(), other.end(),
+        [](const Member& a, const Member& b) { return a.p.id == b.p.id; }
+    );
+}
+
+
+IslandMotion::IslandMotion
+(
+    const MaterialTable& materials, const TimeSettings& time, const WallSearch& walls,
+    const Periodic& periodic
+)
+:
+    materials_(materials),
+    time_(time),
+    walls_(walls),
+    periodic_(periodic),
+    integrator_(materials, time, walls, periodic)
+{}
+
+
+void IslandMotion::move(IslandMembers& island, double dt, double now, bool keepExchange)
+{
+    if (!flyTogether(island, dt)) integrate(island, dt, now, keepExchange);
+    for (const Member& m : island.members) island.outran = island.outran || m.outran > 0;
+}
+
+
+//- Whether contacts can hold the members in the body as they did when it came to rest inside
+bool IslandMotion::undisturbed
+(
+    const std::vector<Member>& members, const std::vector<Particle>& flyers,
+    const RigidAggregate& body
+) const
+{
+    for (std::size_t k = 0; k < members.size(); ++k)
+    {
+        const RestState& r = members[k].rest;
+        const Vec3 force = body.contactForce(k);
+        const double change = (force - Vec3(r.force[0], r.force[1], r.force[2])).norm();
+        if (r.wakeForce < 0) return false;
+        if (change <= r.wakeForce) continue;
+        // Of many contacts a force may be the moment of one. A pair has one, whose force and
+        // moment are known.
+        if (members.size() > 2) return false;
+        const double radius = flyers[k].radius;
+        const Vec3 n = periodic_.nearest(flyers[1 - k].x - flyers[k].x).normalized();
+        const Vec3 moment = body.contactTorque(k) - radius*n.cross(force);
+        if
+        (
+            change > time_.restTolerance*wakeForceChange*r.pullOff
+         || moment.norm() > r.wakeForce*radius
+        ) return false;
+    }
+    return true;
+}
+
+
+//- What contacts remember in space turns with the body
+void IslandMotion::turnHistory
+(
+    std::vector<Member>& members, const Eigen::Matrix3d& turn
+) const
+{
+    for (Member& m : members)
+    {
+        for (ContactRecord& c : m.contacts)
+        {
+            const auto partner = std::find_if
+            (
+                members.begin(), members.end(),
+                [&](const Member& o) { return o.p.id == c.idJ; }
+            );
+            if (partner == members.end()) continue;
+            const int law = materials_.lawIndex(m.p.material, partner->p.material);
+            materials_.laws()[std::size_t(law)]->turnHistory(turn, c.history);
+        }
+    }
+}
+
+
+//- Move the members as one body, if that is what they are; impulses from the gas included
+bool IslandMotion::flyTogether(IslandMembers& island, double dt)
+{
+    std::vector<Member>& members = island.members;
+    const RestState& first = members[0].rest;
+    if (first.aggregate < 0 || first.members != int(members.size())) return false;
+    std::vector<Particle> flyers;
+    std::vector<GasLoad> loads;
+    for (const Member& m : members)
+    {
+        if (m.rest.aggregate != first.aggregate || m.pushed) return false;
+        flyers.push_back(m.p);
+        loads.push_back(m.gas);
+    }
+    RigidAggregate body(flyers, loads, periodic_);
+    if (!undisturbed(members, flyers, body)) return false;
+
+    std::vector<Vec3> impulses;
+    const Eigen::Matrix3d turn = body.fly(dt, impulses);
+    const FlightFactors flight = body.flight(dt);
+    for (std::size_t k = 0; k < members.size(); ++k)
+    {
+        Member& m = members[k];
+        m.p = flyers[k];
+        m.exchange = {impulses[k], m.gas.Sp*flight.p1, flight.e, false};
+        Eigen::Map<Vec3> force(m.rest.force);
+        force = turn*Vec3(force);
+        Eigen::Map<Vec3> arm(m.rest.arm);
+        arm = turn*Vec3(arm);
+    }
+    turnHistory(members, turn);
+    ++island.report.aggregateFlights;
+    return true;
+}
+
+
+//- Hand the members, the walls about them and their contacts to the integrator
+void IslandMotion::load(IslandMembers& island, double dt)
+{
+    integrator_.clear();
+    const std::vector<Member>& members = island.members;
+    std::vector<int> surfaces;
+    std::unordered_map<std::int64_t, int> local;
+    for (const Member& m : members)
+    {
+        const double half =
+            m.p.radius + materials_.reach(m.p.material, m.p.radius, walls_.walls())
+          + m.corridor.width(dt);
+        const Vec3 end = m.p.x + dt*m.corridor.v;
+        walls_.query
+        (
+            m.p.x.cwiseMin(end).array() - half, m.p.x.cwiseMax(end).array() + half, surfaces
+        );
+        local.emplace(m.p.id, int(local.size()));
+        RestState state = m.rest;
+        if (state.aggregate >= 0)
+        {
+            // others may meet it, or its load has changed: no body of its own any more
+            state.resting = false;
+            state.aggregate = -1;
+            ++island.report.wakes;
+        }
+        integrator_.addParticle(m.p, m.gas, state, m.corridor);
+        integrator_.addSurfaces(surfaces);
+    }
+
+    for (std::size_t i = 0; i < members.size(); ++i)
+    {
+        for (const ContactRecord& c : members[i].contacts)
+        {
+            int j = -1;
+            if (c.wall < 0)
+            {
+                // the partner has left the system: the contact has gone with it
+                const auto found = local.find(c.idJ);
+                if (found == local.end()) continue;
+                j = found->second;
+            }
+            integrator_.addContact(int(i), j, c);
+        }
+    }
+}
+
+
+void IslandMotion::integrate(IslandMembers& island, double dt, double now, bool keepExchange)
+{
+    load(island, dt);
+    integrator_.run(dt, now, island.report);
+    ++island.report.islands;
+
+    std::vector<GasExchange> exchanges;
+    if (keepExchange) exchanges = integrator_.gasExchange(dt);
+    for (std::size_t i = 0; i < island.members.size(); ++i)
+    {
+        Member& m = island.members[i];
+        m.p = integrator_.particle(int(i));
+        m.rest = integrator_.rest(int(i));
+        if (keepExchange) m.exchange = exchanges[i];
+        m.contacts = integrator_.contacts(int(i));
+        m.outran = integrator_.outran(int(i));
+    }
+}
+
+}

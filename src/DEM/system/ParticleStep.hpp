@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// One particle step: finds the islands, sends those that span ranks to the rank that moves
+// them, moves all, takes the results back. Contacts may make particles so fast that they leave
+// the boxes they were searched in, and may have missed others: then it begins again, with their
+// paths as fast as that and nothing moved; what holds good is kept for the next try.
+#pragma once
+
+#include "materials/MaterialTable.hpp"
+#include "system/IslandExchange.hpp"
+#include "system/IslandFinder.hpp"
+#include "system/IslandMotion.hpp"
+#include "system/ParticleStore.hpp"
+#include "system/StepReport.hpp"
+
+#include <chrono>
+#include <map>
+#include <vector>
+
+namespace dem
+{
+
+class ParticleStep
+{
+public:
+
+    //- Nothing is copied; the store is what it moves
+    ParticleStep
+    (
+        ParticleStore& store, const MaterialTable& materials, const TimeSettings& time,
+        const WallSearch& walls, const Periodic& periodic, const Communicator& communicator
+    );
+
+    //- From time now [s] over dt [s]; keepExchange: with ParticleStore::exchange. Adds to the
+    //  report. Collective. Errors: numericalError
+    void advance(double dt, double now, bool keepExchange, StepReport& report);
+
+
+private:
+
+    using Clock = std::chrono::steady_clock;
+
+    //- Islands by component, and those who fly freely
+    struct Work
+    {
+        std::map<std::int64_t, IslandMembers> islands;
+        std::vector<std::size_t> flights;
+    };
+
+    bool anyAwake() const;
+    Member member(std::size_t i, std::int64_t component) const;
+    Work sortOut() const;
+    bool tryToMove(Work& work, double dt, double now, bool keepExchange, StepReport& report);
+    StepReport moveIslands(Work& work, double dt, double now, bool keepExchange);
+    bool widenThoseWhoOutran(const std::vector<const Member*>& moved);
+    void takeBack(const Member& m);
+    void flyFreely
+    (
+        const std::vector<std::size_t>& flights, double dt, bool keepExchange, StepReport& report
+    );
+    void exchangeAtRest(double dt);
+    void finish(StepReport& report);
+    double lap();
+
+    ParticleStore& store_;
+    const TimeSettings& time_;
+    const Periodic& periodic_;
+    const Communicator& communicator_;
+    IslandFinder finder_;
+    IslandMotion motion_;
+    IslandExchange exchange_;
+    std::map<std::int64_t, IslandMembers> tried_;  // by component, from a try that was not enough
+    Clock::time_point clock_;
+};
+
+}

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "system/ParticleStore.hpp"
+
+#include "contacts/PackedState.hpp"
+#include "foundation/Fields.hpp"
+#include "particles/errors.hpp"
+#include "island/restCriteria.hpp"
+
+#include <string>
+
+namespace dem
+{
+
+namespace
+{
+
+// An impossible wake force: the whole cluster wakes at the next step
+void wakeUp(RestState& rest) { rest.wakeForce = -1; }
+
+void needFinite(const std::string& name, const Vec3& x, const Vec3& v, const Vec3& omega)
+{
+    if (x.allFinite() && v.allFinite() && omega.allFinite()) return;
+    throw inputError("position", name + " is not finite", "finite numbers");
+}
+
+std::string nameOf(std::int64_t id) { return "particle " + std::to_string(id); }
+
+}
+
+
+std::size_t ParticleStore::checked(std::size_t i) const
+{
+    if (i >= size())
+    {
+        throw inputError
+        (
+            "particle", "index " + std::to_string(i), "below " + std::to_string(size())
+        );
+    }
+    return i;
+}
+
+
+std::size_t ParticleStore::add(const Particle& p, double reachOf)
+{
+    needFinite(nameOf(p.id), p.x, p.v, p.omega);
+    if (p.id < 0 || !indexOf.emplace(p.id, size()).second)
+    {
+        throw inputError("id", nameOf(p.id) + " is there already", "unique numbers, 0 or more");
+    }
+    particles.push_back(p);
+    gas.emplace_back();
+    rest.emplace_back();
+    exchange.emplace_back();
+    reach.push_back(reachOf);
+    contacts.emplace_back();
+    return size() - 1;
+}
+
+
+void ParticleStore::setMotion
+(
+    std::size_t i, const Vec3& x, const Vec3& v, const Vec3& omega
+)
+{
+    Particle& p = particles[checked(i)];
+    needFinite(nameOf(p.id), x, v, omega);
+    p.x = x;
+    p.v = v;
+    p.omega = omega;
+    wakeUp(rest[i]);
+    rest[i].quietTime = 0;
+}
+
+
+void ParticleStore::remove(const std::vector<char>& marked)
+{
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < particles.size(); ++i)
+    {
+        if (i < marked.size() && marked[i])
+        {
+            indexOf.erase(particles[i].id);
+            continue;
+        }
+        if (kept != i)
+        {
+            particles[kept] = particles[i];
+            gas[kept] = gas[i];
+            rest[kept] = rest[i];
+            exchange[kept] = exchange[i];
+            reach[kept] = reach[i];
+            contacts[kept] = std::move(contacts[i]);
+            indexOf[particles[i].id] = kept;
+        }
+        ++kept;
+    }
+    particles.resize(kept);
+    gas.resize(kept);
+    rest.resize(kept);
+    exchange.resize(kept);
+    reach.resize(kept);
+    contacts.resize(kept);
+}
+
+
+bool ParticleStore::awake(std::size_t i) const
+{
+    return flies(i) || !rest[i].resting || wakes(rest[i], gas[i]);
+}
+
+
+std::vector<double> ParticleStore::packState(std::size_t i) const
+{
+    std::vector<double> state;
+    if (rest[checked(i)].inContact || !contacts[i].empty())
+    {
+        state.push_back(PackedState::version);
+        pack(rest[i], state);
+        for (const ContactRecord& c : contacts[i]) pack(c, state);
+    }
+    return state;
+}
+
+
+std::vector<int> ParticleStore::unpackState
+(
+    std::size_t i,
+    const std::vector<double>& state,
+    const std::vector<int>& wallNow,
+    int nWalls
+)
+{
+    checked(i);
+    if (state.empty()) return {};
+    const auto refuse = [&](const std::string& reason, const std::string& allowed)
+    {
+        throw inputError("contact state", reason, allowed);
+    };
+    if (state[0] != PackedState::version)
+    {
+        refuse
+        (
+            "of version " + std::to_string(state[0]) + " for " + nameOf(particles[i].id),
+            "version " + std::to_string(int(PackedState::version))
+        );
+    }
+    static const std::size_t head = 1 + fieldCount<RestState>();
+    static const std::size_t perContact = fieldCount<ContactRecord>();
+    if (state.size() < head || (state.size() - head)%perContact)
+    {
+        refuse
+        (
+            std::to_string(state.size()) + " numbers for " + nameOf(particles[i].id),
+            std::to_string(head) + " and " + std::to_string(perContact) + " per contact"
+        );
+    }
+    const double* from = state.data() + 1;
+    rest[i] = unpack<RestState>(from);
+
+    std::vector<int> gone;
+    contacts[i].clear();
+    while (from < state.data() + state.size())
+    {
+        ContactRecord c = unpack<ContactRecord>(from);
+        const int then = c.wall;
+        if (then >= 0 && !wallNow.empty())
+        {
+            c.wall = std::size_t(then) < wallNow.size() ? wallNow[std::size_t(then)] : nWalls;
+            if (c.wall < 0)
+            {
+                gone.push_back(then);
+                wakeUp(rest[i]);
+                continue;
+            }
+        }
+        if (c.wall >= nWalls)
+        {
+            refuse
+            (
+                "wall patch " + std::to_string(then),
+                "below " + std::to_string(wallNow.empty() ? nWalls : int(wallNow.size()))
+            );
+        }
+        contacts[i].push_back(c);
+    }
+    return gone;
+}
+
+}
