@@ -23,7 +23,6 @@ void Propagator::begin(const IslandState& state)
 
 void Propagator::setFlight(const IslandState& state, double h)
 {
-    if (flightStep_ == h) return;
     flightStep_ = h;
     flight_.resize(state.particles.size());
     for (const int i : state.awake)
@@ -134,7 +133,7 @@ void Propagator::drift(IslandState& state, double h, bool refined)
     else
     {
         complete(state);
-        setFlight(state, h);
+        if (flightStep_ != h) setFlight(state, h);
         square = fly<true>(state, h);
     }
     state.phase.owed = 0;
@@ -173,10 +172,9 @@ void Propagator::foresee(IslandState& state, double h)
 }
 
 
-void Propagator::complete(IslandState& state) const
+void Propagator::secondKick(IslandState& state) const
 {
     const double owed = state.phase.owed;
-    if (owed == 0) return;
     for (const int i : state.awake)
     {
         const std::size_t k = std::size_t(i);

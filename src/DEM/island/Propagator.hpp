@@ -37,7 +37,10 @@ public:
     void foresee(IslandState& state, double h);
 
     //- The second kick of the last step, if it is owed: velocities are those at its end
-    void complete(IslandState& state) const;
+    void complete(IslandState& state) const
+    {
+        if (state.phase.owed != 0) secondKick(state);
+    }
 
     //- Loads have jumped: they do not tell what comes
     void forgetLoads() { previousStep_.reset(); }
@@ -62,6 +65,7 @@ private:
 
     void setFlight(const IslandState& state, double h);
     template<bool gas> double fly(IslandState& state, double h);
+    void secondKick(IslandState& state) const;
     Push pushOf(const IslandState& state, std::size_t k, double h) const;
 
     bool vacuum_ = false;                           // no gas force on any particle

@@ -6,6 +6,22 @@
 namespace dem
 {
 
+void StabilitySums::add(Partners partners, const ContactBound& b)
+{
+    for (const int p : {partners.i, partners.j})
+    {
+        if (p < 0) continue;
+        Sums& s = sums_[std::size_t(p)];
+        s.stiffness += b.stiffness;
+        s.damping += b.damping;
+        s.rolling += b.rolling;
+        s.rollingDamping += b.rollingDamping;
+        s.twisting += b.twisting;
+        s.twistingDamping += b.twistingDamping;
+    }
+}
+
+
 StabilitySums::Sums StabilitySums::most(const IslandState& state) const
 {
     Sums most;

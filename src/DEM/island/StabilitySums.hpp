@@ -34,28 +34,15 @@ public:
 
     void reset(std::size_t nParticles) { sums_.assign(nParticles, {}); }
 
-    void add(Partners p, const ContactBound& b)
-    {
-        add(p.i, b);
-        if (p.j >= 0) add(p.j, b);
-    }
+    //- Of one contact. Not inline: with g++ 12 wide registers would stay in use over the loop of
+    //  ContactSurvey, which makes calls of the C library slow
+    void add(Partners p, const ContactBound& b);
 
     //- No mode is faster than the fastest of these sums
     Sums most(const IslandState& state) const;
 
 
 private:
-
-    void add(int i, const ContactBound& b)
-    {
-        Sums& s = sums_[std::size_t(i)];
-        s.stiffness += b.stiffness;
-        s.damping += b.damping;
-        s.rolling += b.rolling;
-        s.rollingDamping += b.rollingDamping;
-        s.twisting += b.twisting;
-        s.twistingDamping += b.twistingDamping;
-    }
 
     std::vector<Sums> sums_;    // by particle
 };
