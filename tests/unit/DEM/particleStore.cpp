@@ -16,8 +16,8 @@ using scene::sphere;
 namespace
 {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double inf = std::numeric_limits<double>::infinity();
+constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinite = std::numeric_limits<double>::infinity();
 
 ParticleStore storeOf(int n)
 {
@@ -84,13 +84,13 @@ TEST(particleStore, refusesWhatMakesNoSenseAndStaysAsItWas)
     const Vec3 none = Vec3::Zero();
     EXPECT_THROW(store.add(p(10, none, none), 0), dem::inputError);
     EXPECT_THROW(store.add(p(-1, none, none), 0), dem::inputError);
-    EXPECT_THROW(store.add(p(3, Vec3(nan, 0, 0), none), 0), dem::inputError);
-    EXPECT_THROW(store.add(p(3, none, Vec3(0, inf, 0)), 0), dem::inputError);
+    EXPECT_THROW(store.add(p(3, Vec3(notANumber, 0, 0), none), 0), dem::inputError);
+    EXPECT_THROW(store.add(p(3, none, Vec3(0, infinite, 0)), 0), dem::inputError);
     EXPECT_THROW(store.checked(2), dem::inputError);
     EXPECT_EQ(store.size(), 2u);
     EXPECT_EQ(store.indexOf.size(), 2u);
 
-    for (const double wrong : {nan, inf})
+    for (const double wrong : {notANumber, infinite})
     {
         const Vec3 bad(0, wrong, 0);
         EXPECT_THROW(store.setMotion(1, bad, none, none), dem::inputError);
@@ -170,4 +170,21 @@ TEST(particleStore, stateOfAnotherVersionOrLengthIsRefused)
     EXPECT_NE(unpacking({2, 0, 0}).find("per contact"), std::string::npos);
     // a wall that is not there
     EXPECT_NE(refusal([&] { store.unpackState(0, state, {}, 0); }).find("wall patch 0"), std::string::npos);
+}
+
+
+TEST(particleStore, aHandMovesItInsideThePeriod)
+{
+    const scene::Law law;
+    dem::System system(law.table(), {});
+    dem::Periodic periodic;
+    periodic.low = Vec3(-1, 0, 0);
+    periodic.length = Vec3(4, 0, 0);
+    system.setPeriodic(periodic);
+    system.add(sphere(law, 1, 1e-6, Vec3::Zero()));
+    system.setMotion(0, Vec3(9, 5, -7), Vec3(1, 2, 3), Vec3::Zero());
+    EXPECT_EQ(system.particle(0).x, Vec3(1, 5, -7));
+    EXPECT_EQ(system.particle(0).v, Vec3(1, 2, 3));
+    EXPECT_THROW(system.setMotion(0, Vec3(infinite, 0, 0), Vec3::Zero(), Vec3::Zero()), dem::inputError);
+    EXPECT_EQ(system.particle(0).x, Vec3(1, 5, -7));
 }

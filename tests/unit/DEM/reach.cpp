@@ -64,7 +64,7 @@ TEST(reach, oneThatCanBePushedGetsAwayFromThenOn)
     Path c = a;
     c.corridor.near = 4*r;
     EXPECT_TRUE(close(meeting(c, b), 3e-5 + 6*r/0.5, 1e-12));
-    c.corridor.near = 10*r;
+    c.corridor.near = 10.5*r;
     EXPECT_EQ(meeting(c, b), 0);
 }
 
