@@ -170,7 +170,8 @@ bool Foam::timeFiles::complete(const fileName& directory, const fileName& mark)
             at != std::string::npos
          && text.find("yes;", at) != std::string::npos;
     }
-    return !all(directory).empty();
+    // One that is not there is nobody's half-written one
+    return !isDir(directory) || !all(directory).empty();
 }
 
 
