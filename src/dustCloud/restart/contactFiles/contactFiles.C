@@ -171,7 +171,7 @@ struct fieldTable
 
 static const wordList restNames
 ({
-    "restContact", "restSleep", "restAggregate", "restMembers"
+    "restVersion", "restContact", "restSleep", "restAggregate", "restMembers"
 });
 
 
