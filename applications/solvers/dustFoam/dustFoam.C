@@ -51,6 +51,10 @@ Usage
       - optional constant/g; without it there is no gravity
       - the fields U and, if the gas is solved, p in the start time
 
+    With two-way coupling pressure correctors are repeated until the gas's
+    equation loses less than momentumTolerance (in PIMPLE, 1e-6) of the gas's
+    momentum in a step.
+
     dustFoam -models prints the forces, dispersion and injection models.
 
     Restart: startFrom latestTime. Exact with writeFormat binary or

@@ -34,7 +34,7 @@ increments step(unsigned id, unsigned k, double h)
 TEST(brownianStep, jointDistribution)
 {
     const int n = 200000;
-    for (const double z : {1e-4, 0.02, 0.09, 0.11, 1.0, 10.0, 1000.0})
+    for (const double z : {1e-4, 0.02, 0.09, 0.11, 1.0, 10.0, 999.0})
     {
         double xx = 0, xv = 0, vv = 0, mean = 0;
         for (unsigned i = 0; i < n; ++i)
@@ -103,6 +103,26 @@ TEST(brownianStep, meanForce)
         sum += magSqr(h*noise.meanForce(Sp, h))/(3.0*n);
     }
     EXPECT_NEAR(sum/(2*kT*Sp*h), 1, 0.008);
+}
+
+// Steps so long that the thermal velocity is left out: diffusivity kT/Sp
+TEST(brownianStep, longSteps)
+{
+    const int n = 50000;
+    const double h = 2000*tau;
+    double xx = 0;
+    for (unsigned i = 0; i < n; ++i)
+    {
+        vector x(Zero), v(Zero);
+        for (unsigned k = 0; k < 4; ++k)
+        {
+            const increments d(step(i, k, h));
+            x += tau*v + d.x;
+            v = d.v;
+        }
+        xx += (x & x)/(3.0*n);
+    }
+    EXPECT_NEAR(xx/(2*kT/Sp*4*h), 1, 0.012);
 }
 
 // No drag, no noise
