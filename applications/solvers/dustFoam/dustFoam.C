@@ -51,10 +51,6 @@ Usage
       - optional constant/g; without it there is no gravity
       - the fields U and, if the gas is solved, p in the start time
 
-    With two-way coupling pressure correctors are repeated until the gas's
-    equation loses less than momentumTolerance (in PIMPLE, 1e-6) of the gas's
-    momentum in a step.
-
     dustFoam -models prints the forces, dispersion and injection models.
 
     Restart: startFrom latestTime. Exact with writeFormat binary or
@@ -69,8 +65,8 @@ Usage
 #include "PhaseIncompressibleTurbulenceModel.H"
 #include "pimpleControl.H"
 #include "fvOptions.H"
-#include "gaussGrad.H"
-#include "linear.H"
+#include "fixedFluxPressureFvPatchScalarField.H"
+#include "surfaceInterpolationScheme.H"
 #include "clockTime.H"
 #include "dustCloud.H"
 #include "dustTime.H"
@@ -161,15 +157,14 @@ int main(int argc, char *argv[])
             {
                 #include "UEqn.H"
 
-                bool repeated = false;
                 while (pimple.correct())
                 {
                     #include "pEqn.H"
                 }
 
-                if (dust.twoWay() && pimple.finalIter())
+                if (pimple.finalIter())
                 {
-                    #include "moreCorrectors.H"
+                    #include "exchangeChecks.H"
                 }
 
                 if (pimple.turbCorr())
@@ -191,9 +186,9 @@ int main(int argc, char *argv[])
         if (dust.twoWay())
         {
             Info<< nl << "  Exchange: momentum that the gas lost in a step at"
-                << " most " << momentumLost << " of its own, "
-                << moreCorrectors << " pressure correctors more than asked for"
-                << endl;
+                << " most " << momentumLost << " of its own, resistance of the"
+                << " dust differs by at most " << resistanceJump
+                << " between neighbouring cells" << endl;
         }
     }
 
