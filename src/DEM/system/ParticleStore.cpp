@@ -145,14 +145,13 @@ std::vector<int> ParticleStore::unpackState
             "version " + std::to_string(int(PackedState::version))
         );
     }
-    static const std::size_t head = 1 + fieldCount<RestState>();
-    static const std::size_t perContact = fieldCount<ContactRecord>();
-    if (state.size() < head || (state.size() - head)%perContact)
+    if (!PackedState::fits(state.size()))
     {
         refuse
         (
             std::to_string(state.size()) + " numbers for " + nameOf(particles[i].id),
-            std::to_string(head) + " and " + std::to_string(perContact) + " per contact"
+            std::to_string(PackedState::restNumbers) + " and "
+          + std::to_string(PackedState::contactNumbers) + " per contact"
         );
     }
     const double* from = state.data() + 1;

@@ -3,6 +3,9 @@
 // What a restart file can hold and a particle cannot.
 #include "DEM.hpp"
 
+#include "contacts/ContactRecord.hpp"
+#include "foundation/Fields.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -94,4 +97,31 @@ TEST(packedState, flags_and_aggregates_are_as_they_can_be)
     EXPECT_NE(with(PackedState::aggregate, 5), "");     // of no members
     EXPECT_NE(with(PackedState::aggregate, -2), "");
     EXPECT_NE(with(10, -1), "");
+}
+
+
+TEST(packedState, the_numbers_are_where_the_fields_of_the_structs_put_them)
+{
+    dem::RestState rest;
+    rest.resting = true;
+    rest.quietTime = 0.25;
+    rest.aggregate = 77;
+    rest.members = 3;
+    dem::ContactRecord contact{};
+    contact.idJ = 12;
+    contact.wall = 4;
+
+    std::vector<double> s{PackedState::version};
+    dem::pack(rest, s);
+    ASSERT_EQ(s.size(), PackedState::restNumbers);
+    EXPECT_EQ(s[1], 0);
+    EXPECT_EQ(s[2], 1);
+    EXPECT_EQ(s[3], 0.25);
+    EXPECT_EQ(s[PackedState::aggregate], 77);
+    EXPECT_EQ(s[PackedState::aggregate + 1], 3);
+
+    dem::pack(contact, s);
+    ASSERT_EQ(s.size(), PackedState::restNumbers + PackedState::contactNumbers);
+    EXPECT_EQ(s[PackedState::restNumbers + PackedState::partner], 12);
+    EXPECT_EQ(s[PackedState::restNumbers + PackedState::wall], 4);
 }

@@ -29,6 +29,8 @@ License
 #include "IOField.H"
 #include "tensor.H"
 
+#include <iterator>
+
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
@@ -169,10 +171,16 @@ struct fieldTable
 };
 
 
-static const wordList restNames
-({
+//- Of the integers of the rest state, in the order of restIntegers
+static const char* const restNames[] =
+{
     "restVersion", "restContact", "restSleep", "restAggregate", "restMembers"
-});
+};
+static_assert
+(
+    std::size(restNames) == std::size(packed::restIntegers),
+    "one name for each integer of the rest state"
+);
 
 
 static word slot(const label k, const word& what)
@@ -210,7 +218,7 @@ static void storeRest(fieldTable& f, const blobList& blobs)
     labelField& proc = f.integers("restAggregateProc", -1);
     tensorField& state = f.numbers("restState");
 
-    forAll(restNames, n)
+    for (std::size_t n = 0; n < std::size(restNames); ++n)
     {
         const label from = label(packed::restIntegers[n]);
         const bool id = packed::restIntegers[n] == packed::aggregate;
@@ -272,7 +280,7 @@ static void storeContact(fieldTable& f, const label k, const blobList& blobs)
 
 static void takeRest(fieldTable& f, const blobList& blobs)
 {
-    forAll(restNames, n)
+    for (std::size_t n = 0; n < std::size(restNames); ++n)
     {
         const label to = label(packed::restIntegers[n]);
         const labelField& field = *f.labels[restNames[n]];
@@ -338,7 +346,7 @@ static void takeContact(fieldTable& f, const label k, const blobList& blobs)
 //  slots, too, where this rank has none of them.
 static void makeAll(fieldTable& f, const label slots)
 {
-    for (const word& name : restNames)
+    for (const char* name : restNames)
     {
         f.integers(name, 0);
     }
@@ -358,7 +366,7 @@ static void makeAll(fieldTable& f, const label slots)
 
 static void readAll(fieldTable& f, const label slots)
 {
-    for (const word& name : restNames)
+    for (const char* name : restNames)
     {
         f.read(f.labels, name);
     }
