@@ -376,12 +376,17 @@ Packing packing(const dem::System& system)
     for (std::size_t k = 0; k < system.size(); ++k) p.x.push_back(system.particle(k).x);
     for (std::size_t k = 0; k < system.size(); ++k)
     {
-        // contacts of the packed state: rest state first; partner, wall, normal, history
-        constexpr std::size_t rest = 13, before = 5, each = before + dem::maxHistory;
+        // the history is the end of each contact in the packed state
+        constexpr std::size_t before = dem::PackedState::contactNumbers - dem::maxHistory;
         const auto state = system.packState(k);
-        for (std::size_t c = rest; c < state.size(); c += each)
+        for
+        (
+            std::size_t c = dem::PackedState::restNumbers;
+            c < state.size();
+            c += dem::PackedState::contactNumbers
+        )
         {
-            const int j = int(state[c]);
+            const int j = int(state[c + dem::PackedState::partner]);
             if (j < 0) continue;
             const dem::Vec3 d = periodic().nearest(p.x[std::size_t(j)] - p.x[k]);
             p.contacts.push_back
