@@ -162,7 +162,6 @@ int main(int argc, char *argv[])
             {
                 #include "UEqn.H"
 
-                bool repeated = false;
                 while (pimple.correct())
                 {
                     #include "pEqn.H"
@@ -170,7 +169,7 @@ int main(int argc, char *argv[])
 
                 if (dust.twoWay() && pimple.finalIter())
                 {
-                    #include "moreCorrectors.H"
+                    #include "keepMomentum.H"
                 }
 
                 if (pimple.turbCorr())
@@ -192,9 +191,8 @@ int main(int argc, char *argv[])
         if (dust.twoWay())
         {
             Info<< nl << "  Exchange: momentum that the gas lost in a step at"
-                << " most " << momentumLost << " of its own, "
-                << moreCorrectors << " pressure correctors more than asked for"
-                << endl;
+                << " most " << momentumLost << " of its own, after "
+                << momentumSweeps << " sweeps of its velocity" << endl;
         }
     }
 

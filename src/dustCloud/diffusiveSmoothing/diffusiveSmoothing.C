@@ -66,68 +66,89 @@ Foam::label Foam::diffusiveSmoothing::stableSteps() const
 }
 
 
+template<Foam::label n>
+void Foam::diffusiveSmoothing::explicitStep
+(
+    scalarField& f,
+    scalarField& change,
+    scalarField& across
+) const
+{
+    const labelUList& owner = mesh_.owner();
+    const labelUList& neighbour = mesh_.neighbour();
+    const scalarField& D = diffusion_;
+    const scalarField& V = mesh_.V();
+    const label nInternal = mesh_.nInternalFaces();
+
+    change = Zero;
+    forAll(neighbour, facei)
+    {
+        const scalar* fP = &f[owner[facei]*n];
+        const scalar* fN = &f[neighbour[facei]*n];
+        scalar* changeP = &change[owner[facei]*n];
+        scalar* changeN = &change[neighbour[facei]*n];
+        for (label i = 0; i < n; ++i)
+        {
+            const scalar d = D[facei]*(fN[i] - fP[i]);
+            changeP[i] += d;
+            changeN[i] -= d;
+        }
+    }
+
+    if (coupled_)
+    {
+        for (label i = 0; i < n; ++i)
+        {
+            forAll(across, facei)
+            {
+                across[facei] = f[mesh_.faceOwner()[nInternal + facei]*n + i];
+            }
+            syncTools::swapBoundaryFaceList(mesh_, across);
+
+            for (const fvsPatchScalarField& Db : diffusion_.boundaryField())
+            {
+                const label start = Db.patch().start() - nInternal;
+                const labelUList& cells = Db.patch().faceCells();
+                for (label j = 0; Db.coupled() && j < Db.size(); ++j)
+                {
+                    const label own = cells[j]*n + i;
+                    change[own] += Db[j]*(across[start + j] - f[own]);
+                }
+            }
+        }
+    }
+
+    forAll(V, celli)
+    {
+        const scalar part = 1/(V[celli]*explicitSteps_);
+        for (label i = celli*n; i < (celli + 1)*n; ++i)
+        {
+            f[i] += part*change[i];
+        }
+    }
+}
+
+
 void Foam::diffusiveSmoothing::spreadExplicitly
 (
     scalarField& f,
     const label n
 ) const
 {
-    const labelUList& owner = mesh_.owner();
-    const labelUList& neighbour = mesh_.neighbour();
-    const scalarField& V = mesh_.V();
-    const label nInternal = mesh_.nInternalFaces();
     scalarField change(f.size());
-    List<scalarField> across(n, scalarField(mesh_.nFaces() - nInternal, Zero));
+    scalarField across(coupled_ ? mesh_.nFaces() - mesh_.nInternalFaces() : 0);
 
     for (label step = 0; step < explicitSteps_; ++step)
     {
-        change = Zero;
-        forAll(neighbour, facei)
+        switch (n)
         {
-            const scalar D = diffusion_[facei];
-            const scalar* fP = &f[owner[facei]*n];
-            const scalar* fN = &f[neighbour[facei]*n];
-            scalar* changeP = &change[owner[facei]*n];
-            scalar* changeN = &change[neighbour[facei]*n];
-            for (label i = 0; i < n; ++i)
-            {
-                const scalar d = D*(fN[i] - fP[i]);
-                changeP[i] += d;
-                changeN[i] -= d;
-            }
-        }
-        for (label i = 0; i < n; ++i)
-        {
-            forAll(across[i], facei)
-            {
-                across[i][facei] = f[mesh_.faceOwner()[nInternal + facei]*n + i];
-            }
-            syncTools::swapBoundaryFaceList(mesh_, across[i]);
-        }
-        for (const fvsPatchScalarField& Db : diffusion_.boundaryField())
-        {
-            if (!Db.coupled())
-            {
-                continue;
-            }
-            const label start = Db.patch().start() - nInternal;
-            forAll(Db, facei)
-            {
-                const label own = Db.patch().faceCells()[facei]*n;
-                for (label i = 0; i < n; ++i)
-                {
-                    change[own + i] +=
-                        Db[facei]*(across[i][start + facei] - f[own + i]);
-                }
-            }
-        }
-        forAll(V, celli)
-        {
-            const scalar part = 1/(V[celli]*explicitSteps_);
-            for (label i = celli*n; i < (celli + 1)*n; ++i)
-            {
-                f[i] += part*change[i];
-            }
+            case 1: explicitStep<1>(f, change, across); break;
+            case 3: explicitStep<3>(f, change, across); break;
+            case 4: explicitStep<4>(f, change, across); break;
+            case 6: explicitStep<6>(f, change, across); break;
+            default:
+                FatalErrorInFunction
+                    << n << " fields at once" << abort(FatalError);
         }
     }
 }
@@ -195,8 +216,16 @@ Foam::diffusiveSmoothing::diffusiveSmoothing
         mesh,
         dimensionedScalar(dimVolume, Zero)
     ),
-    explicitSteps_(0)
+    explicitSteps_(0),
+    coupled_(false)
 {
+    for (const fvPatch& patch : mesh.boundary())
+    {
+        coupled_ = coupled_ || patch.coupled();
+    }
+    // Collective: also where this rank has no coupled patch
+    reduce(coupled_, orOp<bool>());
+
     controls_.set("solver", "PCG");
     controls_.set("preconditioner", "DIC");
     controls_.set("tolerance", 1e-14);

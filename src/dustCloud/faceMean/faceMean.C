@@ -115,7 +115,17 @@ void Foam::faceMean::makeScales()
     forAll(V, celli)
     {
         upright_[celli] = inv(skew[celli]/V[celli]);
-        normalScale_[celli] = inverseRoot(normal[celli]/V[celli]);
+        normal[celli] = inverseRoot(normal[celli]/V[celli]);
+    }
+    const vectorField& S = mesh_.faceAreas();
+    forAll(S, facei)
+    {
+        const vector n(S[facei]/mag(S[facei]));
+        ownNormal_[facei] = normal[mesh_.faceOwner()[facei]] & n;
+        if (mesh_.isInternalFace(facei))
+        {
+            neighbourNormal_[facei] = normal[mesh_.faceNeighbour()[facei]] & n;
+        }
     }
 }
 
@@ -139,10 +149,9 @@ void Foam::faceMean::addBoundary
         forAll(values, i)
         {
             const label celli = patch.faceCells()[i];
-            const vector& S = mesh_.Sf().boundaryField()[patchi][i];
+            const vector& m = ownNormal_[patch.start() + i];
             seen[celli] +=
-                mag(S)*way[i]/mesh_.V()[celli]
-               *(normals(celli, S/mag(S)) & values[i]);
+                patch.magSf()[i]*way[i]/mesh_.V()[celli]*(m & values[i])*m;
         }
     }
 }
@@ -164,7 +173,8 @@ Foam::faceMean::faceMean(const fvMesh& mesh)
         1/mesh.nonOrthDeltaCoeffs()
     ),
     upright_(mesh.nCells()),
-    normalScale_(mesh.nCells()),
+    ownNormal_(mesh.nFaces()),
+    neighbourNormal_(mesh.nInternalFaces()),
     open_(mesh.boundary().size(), false),
     lack_(mesh.nCells(), Zero)
 {
@@ -338,11 +348,6 @@ Foam::tmp<Foam::symmTensorField> Foam::faceMean::resistance
 {
     tmp<symmTensorField> tR(new symmTensorField(mesh_.nCells(), Zero));
     symmTensorField& R = tR.ref();
-    const auto add =
-        [&](const label celli, const vector& S, const scalar rWay)
-    {
-        R[celli] += mag(S)*rWay*normals(celli, S/mag(S));
-    };
 
     forAll(mesh_.neighbour(), facei)
     {
@@ -350,9 +355,10 @@ Foam::tmp<Foam::symmTensorField> Foam::faceMean::resistance
         const label other = mesh_.neighbour()[facei];
         const scalar a = ownPart_[facei];
         const scalar rWay =
-            normalWay_[facei]*(a*r[own] + (1 - a)*r[other]);
-        add(own, mesh_.Sf()[facei], a*rWay);
-        add(other, mesh_.Sf()[facei], (1 - a)*rWay);
+            mesh_.magSf()[facei]*normalWay_[facei]
+           *(a*r[own] + (1 - a)*r[other]);
+        R[own] += a*rWay*sqr(ownNormal_[facei]);
+        R[other] += (1 - a)*rWay*sqr(neighbourNormal_[facei]);
     }
     forAll(r.boundaryField(), patchi)
     {
@@ -367,15 +373,11 @@ Foam::tmp<Foam::symmTensorField> Foam::faceMean::resistance
         {
             rWay = a*rWay + (1 - a)*rb.patchNeighbourField();
         }
-        rWay *= a*normalWay_.boundaryField()[patchi];
+        rWay *= a*rb.patch().magSf()*normalWay_.boundaryField()[patchi];
         forAll(rWay, i)
         {
-            add
-            (
-                rb.patch().faceCells()[i],
-                mesh_.Sf().boundaryField()[patchi][i],
-                rWay[i]
-            );
+            R[rb.patch().faceCells()[i]] +=
+                rWay[i]*sqr(ownNormal_[rb.patch().start() + i]);
         }
     }
     R /= mesh_.V();
@@ -394,14 +396,14 @@ Foam::tmp<Foam::vectorField> Foam::faceMean::seen(const vectorField& u) const
         const label own = mesh_.owner()[facei];
         const label other = mesh_.neighbour()[facei];
         const scalar a = ownPart_[facei];
-        const scalar area = mesh_.magSf()[facei];
-        const vector n(mesh_.Sf()[facei]/area);
+        const vector& mOwn = ownNormal_[facei];
+        const vector& mOther = neighbourNormal_[facei];
         const vector through
         (
-            area*normalWay_[facei]
+            mesh_.magSf()[facei]*normalWay_[facei]
            *(
-                a*(normals(own, n) & u[own])
-              + (1 - a)*(normals(other, n) & u[other])
+                a*(mOwn & u[own])*mOwn
+              + (1 - a)*(mOther & u[other])*mOther
             )
         );
         seen[own] += a*through;
@@ -413,13 +415,12 @@ Foam::tmp<Foam::vectorField> Foam::faceMean::seen(const vectorField& u) const
     forAll(open_, patchi)
     {
         const fvPatch& patch = mesh_.boundary()[patchi];
-        const vectorField n(patch.nf());
         const scalarField& a = ownPart_.boundaryField()[patchi];
-        forAll(n, i)
+        forAll(a, i)
         {
-            const label own = patch.faceCells()[i];
+            const vector& m = ownNormal_[patch.start() + i];
             across[patch.start() - nInternal + i] =
-                a[i]*(normals(own, n[i]) & u[own]);
+                a[i]*(m & u[patch.faceCells()[i]])*m;
         }
     }
     const vectorField mine(across);
