@@ -51,9 +51,9 @@ Usage
       - optional constant/g; without it there is no gravity
       - the fields U and, if the gas is solved, p in the start time
 
-    With two-way coupling pressure correctors are repeated until the gas's
-    equation loses less than momentumTolerance (in PIMPLE, 1e-6) of the gas's
-    momentum in a step.
+    With two-way coupling the velocity is swept after the last corrector until
+    the gas's equation loses less than momentumTolerance (in PIMPLE, 1e-6) of
+    the gas's momentum in a step.
 
     dustFoam -models prints the forces, dispersion and injection models.
 
@@ -193,6 +193,14 @@ int main(int argc, char *argv[])
             Info<< nl << "  Exchange: momentum that the gas lost in a step at"
                 << " most " << momentumLost << " of its own, after "
                 << momentumSweeps << " sweeps of its velocity" << endl;
+
+            if (momentumLost > momentumTolerance)
+            {
+                WarningInFunction
+                    << "momentumTolerance is " << momentumTolerance
+                    << ": more correctors (nCorrectors, nOuterCorrectors) or a"
+                    << " smaller deltaT lose less" << endl;
+            }
         }
     }
 
