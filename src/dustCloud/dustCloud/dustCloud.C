@@ -792,6 +792,7 @@ void Foam::dustCloud::evolve(const scalar gasSeconds)
     }
 
     snapshotPtr_.reset();
+    escapedInStep_.clear();
     #if OPENFOAM >= 2006
     functions_.preEvolve(*tdPtr_);
     #else

@@ -460,6 +460,20 @@ void Foam::dustCloud::countEscapes()
             returnReduce(escaping_[patchi].mass, sumOp<scalar>());
     }
     escaping_ = tally();
+
+    List<scalarList> diameters(Pstream::nProcs());
+    diameters[Pstream::myProcNo()] = escapingDiameters_;
+    #if OPENFOAM >= 2206
+    Pstream::allGatherList(diameters);
+    #else
+    Pstream::gatherList(diameters);
+    Pstream::scatterList(diameters);
+    #endif
+    escapingDiameters_.clear();
+    for (const scalarList& ofRank : diameters)
+    {
+        escapedInStep_.append(ofRank);
+    }
 }
 
 
@@ -534,6 +548,7 @@ void Foam::dustCloud::noteEscape(dustParcel& p, const label patchi)
 {
     ++escaping_[patchi].count;
     escaping_[patchi].mass += p.mass();
+    escapingDiameters_.append(p.d());
 
     if (p.demIndex() >= 0)
     {
