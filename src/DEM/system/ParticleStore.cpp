@@ -5,6 +5,7 @@
 #include "foundation/Fields.hpp"
 #include "particles/errors.hpp"
 #include "island/restCriteria.hpp"
+#include "particles/finite.hpp"
 
 #include <string>
 
@@ -19,7 +20,7 @@ void wakeUp(RestState& rest) { rest.wakeForce = -1; }
 
 void needFinite(const std::string& name, const Vec3& x, const Vec3& v, const Vec3& omega)
 {
-    if (x.allFinite() && v.allFinite() && omega.allFinite()) return;
+    if (isFinite(x) && isFinite(v) && isFinite(omega)) return;
     throw inputError("position", name + " is not finite", "finite numbers");
 }
 

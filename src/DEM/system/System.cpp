@@ -2,6 +2,7 @@
 #include "system/System.hpp"
 
 #include "particles/errors.hpp"
+#include "particles/finite.hpp"
 #include "system/Diagnostics.hpp"
 #include "system/ParticleStep.hpp"
 #include "system/ParticleStore.hpp"
@@ -25,7 +26,11 @@ const TimeSettings& checked(const TimeSettings& time)
             std::string("timeIntegration/") + keyword, "is " + std::to_string(value), allowed
         );
     };
-    if (!(time.stepsPerContact >= TimeSettings::fewestStepsPerContact))
+    if
+    (
+        !isFinite(time.stepsPerContact)
+     || !(time.stepsPerContact >= TimeSettings::fewestStepsPerContact)
+    )
     {
         refuse
         (
@@ -34,7 +39,7 @@ const TimeSettings& checked(const TimeSettings& time)
           + " (fewer do not resolve a collision; at pi and below the scheme is unstable)"
         );
     }
-    if (!(time.boundShare > 0 && time.boundShare <= 1))
+    if (!(isFinite(time.boundShare) && time.boundShare > 0 && time.boundShare <= 1))
     {
         refuse
         (
@@ -42,7 +47,7 @@ const TimeSettings& checked(const TimeSettings& time)
             "above 0, at most 1 (beyond the stability bound errors grow without limit)"
         );
     }
-    if (!(time.restTolerance >= 0))
+    if (!(isFinite(time.restTolerance) && time.restTolerance >= 0))
     {
         refuse("restTolerance", time.restTolerance, "zero or positive");
     }
@@ -53,7 +58,7 @@ const TimeSettings& checked(const TimeSettings& time)
 void check(const Particle& p, const MaterialTable& materials)
 {
     const std::string name = "particle " + std::to_string(p.id);
-    if (!(p.radius > 0 && std::isfinite(p.radius)))
+    if (!(isFinite(p.radius) && p.radius > 0))
     {
         throw inputError
         (
@@ -61,7 +66,7 @@ void check(const Particle& p, const MaterialTable& materials)
             "a positive number"
         );
     }
-    if (!(p.mass > 0 && std::isfinite(p.mass)))
+    if (!(isFinite(p.mass) && p.mass > 0))
     {
         throw inputError
         (
@@ -219,7 +224,7 @@ void System::setGasLoad(std::size_t i, const GasLoad& load)
 {
     ParticleStore& store = impl_->store;
     store.checked(i);
-    if (!(load.Sp >= 0 && load.SpOmega >= 0) || !load.finite())
+    if (!(load.finite() && load.Sp >= 0 && load.SpOmega >= 0))
     {
         throw numericalError
         (
@@ -240,7 +245,7 @@ const GasLoad& System::gasLoad(std::size_t i) const
 
 StepReport System::advance(double dt)
 {
-    if (!(dt > 0 && std::isfinite(dt)))
+    if (!(isFinite(dt) && dt > 0))
     {
         throw inputError("dt", "is " + std::to_string(dt), "a positive time [s]");
     }

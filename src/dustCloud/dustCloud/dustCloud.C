@@ -21,8 +21,10 @@ License
 
 #include "dustCloudData.H"
 #include "dustSnapshot.H"
+#include "caseCheck.H"
 #include "modelTable.H"
 #include "patchWalls.H"
+#include "untrapped.H"
 
 #include "distributionModel.H"
 #include "IStringStream.H"
@@ -56,6 +58,7 @@ const Foam::word& Foam::dustCloud::checkInput
 {
     const fvMesh& mesh = rho.mesh();
 
+    autoPtr<untrapped> reading(new untrapped);
     const IOdictionary properties
     (
         IOobject
@@ -69,47 +72,17 @@ const Foam::word& Foam::dustCloud::checkInput
         )
     );
 
-    dustProperties::checkKeywords(properties, dustProperties::keywords());
+    reading.clear();
 
-    // Throws away what it reads: only the messages matter here
+    // Throws away what it reads: only the messages matter here. All keywords
+    // are checked by it.
     const dustProperties materials(properties);
 
     const dictionary& subModels = properties.subDict("subModels");
 
-    // OpenFOAM's models may have a sub-dictionary <model>Coeffs each
-    wordList subModelKeys
-    ({
-        "injectionModels", "particleForces", "dispersionModel",
-        "patchInteractionModel", "stochasticCollisionModel", "surfaceFilmModel"
-    });
-    for (const entry& e : subModels)
-    {
-        if (e.isDict() && e.keyword().endsWith("Coeffs"))
-        {
-            subModelKeys.append(e.keyword());
-        }
-    }
-    dustProperties::checkKeywords(subModels, subModelKeys);
-
-    for
-    (
-        const word model :
-        {"patchInteractionModel", "stochasticCollisionModel", "surfaceFilmModel"}
-    )
-    {
-        if (subModels.get<word>(model) != "none")
-        {
-            dustProperties::error
-            (
-                subModels,
-                model,
-                "contacts with walls and particles are the DEM system's",
-                "none"
-            );
-        }
-    }
-
+    caseCheck::density(properties, materials);
     modelTable::check(subModels, mesh);
+    caseCheck(subModels.subDict("injectionModels"), mesh).sizes();
     checkDispersion(subModels, U);
 
     for (const entry& e : subModels.subDict("injectionModels"))
@@ -119,58 +92,6 @@ const Foam::word& Foam::dustCloud::checkInput
             continue;
         }
         const dictionary& model = e.dict();
-
-        // One parcel is one particle
-        if (model.found("parcelBasisType"))
-        {
-            if (model.get<word>("parcelBasisType") != "fixed")
-            {
-                dustProperties::error
-                (
-                    model,
-                    "parcelBasisType",
-                    "each parcel is one particle",
-                    "fixed, with nParticle 1"
-                );
-            }
-            if (mag(model.get<scalar>("nParticle") - 1) > SMALL)
-            {
-                dustProperties::error
-                (
-                    model,
-                    "nParticle",
-                    "each parcel is one particle",
-                    "1"
-                );
-            }
-        }
-
-        const dictionary* sizesPtr = model.findDict("sizeDistribution");
-        if (sizesPtr)
-        {
-            const word type(sizesPtr->get<word>("type") + "Distribution");
-            const dictionary* valuesPtr = sizesPtr->findDict(type);
-
-            for (const word keyword : {"value", "minValue"})
-            {
-                scalar value;
-                if
-                (
-                    valuesPtr
-                 && valuesPtr->readIfPresent(keyword, value)
-                 && value <= 0
-                )
-                {
-                    dustProperties::error
-                    (
-                        *valuesPtr,
-                        keyword,
-                        "a diameter of " + Foam::name(value) + " m",
-                        "> 0 m"
-                    );
-                }
-            }
-        }
 
         if
         (
@@ -225,7 +146,7 @@ void Foam::dustCloud::checkGas() const
 {
     forAll(U_, celli)
     {
-        if (!std::isfinite(U_[celli].x() + U_[celli].y() + U_[celli].z()))
+        if (!dem::isFinite(toVec3(U_[celli])))
         {
             FatalErrorInFunction
                 << "Gas field " << U_.name() << " is not finite at time "
@@ -397,24 +318,8 @@ void Foam::dustCloud::decideCoupling()
     demData& d = *dem_;
     const dictionary& dict = particleProperties_;
 
-    const auto choice = [&dict](const word& keyword, const wordList& allowed)
-    {
-        const word value(dict.lookupOrDefault<word>(keyword, "auto"));
-        if (!allowed.found(value))
-        {
-            dustProperties::error
-            (
-                dict,
-                keyword,
-                "unknown value '" + value + "'",
-                dustProperties::listed(allowed)
-            );
-        }
-        return value;
-    };
-
-    d.coupling = choice("coupling", {"oneWay", "twoWay", "auto"});
-    d.gas = choice("gas", {"solved", "frozen", "auto"});
+    d.coupling = dict.lookupOrDefault<word>("coupling", "auto");
+    d.gas = dict.lookupOrDefault<word>("gas", "auto");
     d.massLoadingLimit =
         dict.lookupOrDefault<scalar>("couplingMassLoading", 0.02);
 
@@ -668,27 +573,6 @@ Foam::dustCloud::dustCloud
         }
     }
 
-    scalar rho0;
-    const dictionary constants
-    (
-        particleProperties_.subOrEmptyDict("constantProperties")
-    );
-    if
-    (
-        constants.readIfPresent("rho0", rho0)
-     && mag(rho0 - density_) > 1e-6*density_
-    )
-    {
-        dustProperties::error
-        (
-            constants,
-            "rho0",
-            "differs from the density of the material "
-          + d.properties.dustMaterial(),
-            Foam::name(density_) + ", or no rho0"
-        );
-    }
-
     decideCoupling();
 
     readWalls();
@@ -701,6 +585,22 @@ Foam::dustCloud::dustCloud
     printMaterials();
     printPlan();
     warnOfDispersion();
+    caseCheck::calibration
+    (
+        particleProperties_.subDict("contact"),
+        d.properties.softening().ratio, d.properties.automaticRatio()
+    );
+    caseCheck::contactTime
+    (
+        d.system->materials(), d.material, d.diameters[1], d.gasSpeed,
+        d.gasViscosity
+    );
+    caseCheck(subModelProperties_.subDict("injectionModels"), mesh_).plan
+    (
+        returnReduce(this->size(), sumOp<label>()), d.diameters[1],
+        solution_.dict().lookupOrDefault<scalar>("deltaTMax", GREAT), U_,
+        !gasFrozen_
+    );
 }
 
 

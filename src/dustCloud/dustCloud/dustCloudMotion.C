@@ -141,8 +141,8 @@ void Foam::dustCloud::setGasLoads
 
         if
         (
-            !std::isfinite(coupled.Sp() + magSqr(Su) + magSqr(td.Uc()))
-         || coupled.Sp() < 0
+            !dem::isFinite(coupled.Sp()) || !dem::isFinite(toVec3(Su))
+         || !dem::isFinite(toVec3(td.Uc())) || coupled.Sp() < 0
         )
         {
             FatalErrorInFunction

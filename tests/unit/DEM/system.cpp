@@ -3,6 +3,7 @@
 // The DEM system as its users see it: collisions within a step, rest and wake, adding and
 // removing, restart, what it refuses.
 #include "clouds.hpp"
+#include "floatingTraps.hpp"
 #include "timeIntegration/freeFlight.hpp"
 
 using scene::close;
@@ -731,6 +732,7 @@ TEST(system, contactsAsDiagnosticsSeeThem)
 
 TEST(system, refusesLoadsThatAreNotFinite)
 {
+    const FloatingTraps traps;
     const Law law;
     dem::System system(law.table(), {});
     system.add(sphere(law, 4711, 1e-6, Vec3::Zero()));
@@ -770,6 +772,7 @@ TEST(system, refusesLoadsThatAreNotFinite)
 
 TEST(system, refusesImpossibleParticlesAndSettings)
 {
+    const FloatingTraps traps;
     const Law law;
     dem::System system(law.table(), {});
     const dem::Particle good = sphere(law, 1, 1e-6, Vec3::Zero());
