@@ -191,20 +191,7 @@ int main(int argc, char *argv[])
             runTime.stopIfAsked();
         }
 
-        if (dust.twoWay())
-        {
-            Info<< nl << "  Exchange: momentum that the gas lost in a step at"
-                << " most " << momentumLost << " of its own, after "
-                << momentumSweeps << " sweeps of its velocity" << endl;
-
-            if (momentumLost > momentumTolerance)
-            {
-                WarningInFunction
-                    << "momentumTolerance is " << momentumTolerance
-                    << ": more correctors (nCorrectors, nOuterCorrectors) or a"
-                    << " smaller deltaT lose less" << endl;
-            }
-        }
+        #include "momentumReport.H"
     }
 
     dust.summarise();

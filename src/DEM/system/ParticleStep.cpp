@@ -54,6 +54,7 @@ void ParticleStep::advance(double dt, double now, bool keepExchange, StepReport&
         report.secondsFlight += lap();
     }
     finish(report);
+    store_.entering.clear();
     report.secondsSearch += lap();
 }
 
@@ -71,7 +72,7 @@ Member ParticleStep::member(std::size_t i, std::int64_t component) const
     return
     {
         store_.particles[i], store_.gas[i], store_.rest[i], store_.contacts[i], path.joint,
-        path.corridor, 0, component, communicator_.rank(), i, {}
+        path.corridor, 0, component, communicator_.rank(), i, {}, store_.delay(i)
     };
 }
 
@@ -203,10 +204,11 @@ void ParticleStep::flyFreely
         Particle& p = store_.particles[i];
         const GasLoad& g = store_.gas[i];
         const double before = time_.energyLedger ? p.kineticEnergy() : 0;
-        const Vec3 impulse = fly(p, g, dt);
+        const double flown = dt - store_.delay(i);
+        const Vec3 impulse = fly(p, g, flown);
         if (keepExchange)
         {
-            const FlightFactors f(g.Sp/p.mass, dt);
+            const FlightFactors f(g.Sp/p.mass, flown);
             store_.exchange[i] = {impulse, g.Sp*f.p1, f.e, false};
         }
         if (time_.energyLedger)

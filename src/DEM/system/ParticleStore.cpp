@@ -42,13 +42,14 @@ std::size_t ParticleStore::checked(std::size_t i) const
 }
 
 
-std::size_t ParticleStore::add(const Particle& p, double reachOf)
+std::size_t ParticleStore::add(const Particle& p, double reachOf, double delay)
 {
     needFinite(nameOf(p.id), p.x, p.v, p.omega);
     if (p.id < 0 || !indexOf.emplace(p.id, size()).second)
     {
         throw inputError("id", nameOf(p.id) + " is there already", "unique numbers, 0 or more");
     }
+    if (delay > 0) entering.emplace(p.id, delay);
     particles.push_back(p);
     gas.emplace_back();
     rest.emplace_back();
@@ -82,6 +83,7 @@ void ParticleStore::remove(const std::vector<char>& marked)
         if (i < marked.size() && marked[i])
         {
             indexOf.erase(particles[i].id);
+            if (!entering.empty()) entering.erase(particles[i].id);
             continue;
         }
         if (kept != i)

@@ -168,13 +168,17 @@ const Walls& System::walls() const { return impl_->walls.walls(); }
 std::size_t System::size() const { return impl_->store.size(); }
 
 
-std::size_t System::add(const Particle& p)
+std::size_t System::add(const Particle& p, double delay)
 {
+    if (!(delay >= 0 && std::isfinite(delay)))
+    {
+        throw inputError("delay", "is " + std::to_string(delay), "zero or a positive time [s]");
+    }
     check(p, materials());
     checkCurvature(walls(), p.radius, p.id);
     Particle inside = p;
     inside.x = impl_->periodic.wrapped(p.x);
-    return impl_->store.add(inside, materials().reach(p.material, p.radius, walls()));
+    return impl_->store.add(inside, materials().reach(p.material, p.radius, walls()), delay);
 }
 
 
@@ -249,6 +253,15 @@ StepReport System::advance(double dt)
     {
         throw inputError("dt", "is " + std::to_string(dt), "a positive time [s]");
     }
+    for (const auto& entry : impl_->store.entering)
+    {
+        if (entry.second < dt) continue;
+        throw inputError
+        (
+            "delay", "particle " + std::to_string(entry.first) + " enters after the step",
+            "less than the particle step"
+        );
+    }
     StepReport report;
     report.energy.kinetic = report.energy.gas = impl_->kicked;
     impl_->kicked = 0;
@@ -292,34 +305,12 @@ std::vector<double> System::adhesionMargins() const
 std::vector<ClusterLabel> System::clusters() const { return impl_->diagnostics().clusters(); }
 
 
-double System::overlapAt(const Vec3& x, double radius, std::string& wallName) const
+Entrance System::entrance
+(
+    const Box& box, double dt, double largest, double fastest
+) const
 {
-    const Implementation& s = *impl_;
-    double largest = -1e300;
-    wallName.clear();
-    for (const Particle& p : s.store.particles)
-    {
-        largest = std::max
-        (
-            largest, radius + p.radius - s.periodic.nearest(p.x - x).norm()
-        );
-    }
-
-    // far walls do not matter: three radii will do
-    const double range = 3*radius;
-    std::vector<int> surfaces;
-    std::vector<WallHit> hits;
-    s.walls.query(x.array() - range, x.array() + range, surfaces);
-    s.walls.hits(x, range, surfaces.data(), surfaces.size(), hits);
-    for (const WallHit& h : hits)
-    {
-        if (radius - h.distance > largest)
-        {
-            largest = radius - h.distance;
-            wallName = walls().patchName(h.patch);
-        }
-    }
-    return largest;
+    return {impl_->store.particles, impl_->walls, impl_->periodic, box, dt, largest, fastest};
 }
 
 

@@ -157,57 +157,57 @@ void Foam::dustCloud::checkGas() const
 }
 
 
-void Foam::dustCloud::addArrivals()
+void Foam::dustCloud::addArrival(dustParcel& p)
 {
+    dem::Particle particle;
+    particle.id = p.id();
+    particle.material = dem_->material;
+    particle.radius = 0.5*p.d();
+    particle.mass = p.mass();
+    particle.x = toVec3(p.x());
+    particle.v = toVec3(p.U());
+    particle.omega = toVec3(p.omega());
     dem::System& system = *dem_->system;
-
-    for (dustParcel& p : *this)
+    try
     {
-        if (p.demIndex() >= 0)
+        p.demIndex() = label(system.add(particle, max(-p.age(), scalar(0))));
+        p.loaded() = false;
+        unpackLoad(p);
+
+        if (p.blob().size())
         {
-            continue;
-        }
-
-        dem::Particle particle;
-        particle.id = p.id();
-        particle.material = dem_->material;
-        particle.radius = 0.5*p.d();
-        particle.mass = p.mass();
-        particle.x = toVec3(p.x());
-        particle.v = toVec3(p.U());
-        particle.omega = toVec3(p.omega());
-
-        try
-        {
-            p.demIndex() = label(system.add(particle));
-            p.loaded() = false;
-            unpackLoad(p);
-
-            if (p.blob().size())
+            const std::vector<int> gone = system.unpackState
+            (
+                std::size_t(p.demIndex()),
+                std::vector<double>(p.blob().begin(), p.blob().end()),
+                dem_->wallNow
+            );
+            for (const int wall : gone)
             {
-                const std::vector<int> gone = system.unpackState
-                (
-                    std::size_t(p.demIndex()),
-                    std::vector<double>(p.blob().begin(), p.blob().end()),
-                    dem_->wallNow
-                );
-                for (const int wall : gone)
-                {
-                    ++dem_->ended[wall];
-                }
-                p.blob().clear();
+                ++dem_->ended[wall];
             }
-        }
-        catch (const dem::inputError& e)
-        {
-            FatalErrorInFunction
-                << "Particle " << p.origProc() << ':' << p.origId() << " at "
-                << p.x() << ", diameter " << p.d() << " m, cannot be added: "
-                << e.what() << exit(FatalError);
+            p.blob().clear();
         }
     }
+    catch (const dem::inputError& e)
+    {
+        FatalErrorInFunction << "Particle " << p.origProc() << ':'
+            << p.origId() << " at " << p.x() << ", diameter " << p.d()
+            << " m, cannot be added: " << e.what() << exit(FatalError);
+    }
+}
 
-    leaving_.assign(system.size(), 0);
+
+void Foam::dustCloud::addArrivals()
+{
+    for (dustParcel& p : *this)
+    {
+        if (p.demIndex() < 0)
+        {
+            addArrival(p);
+        }
+    }
+    leaving_.assign(dem_->system->size(), 0);
 }
 
 
@@ -437,7 +437,7 @@ Foam::dustCloud::dustCloud
     );
     d.gasViscosity = gMax(mu_.primitiveField());
 
-    d.startTime = mesh_.time().value();
+    d.startTime = d.now = mesh_.time().value();
     d.progressInterval = particleProperties_.lookupOrDefault<scalar>
     (
         "progressInterval",
@@ -577,9 +577,9 @@ Foam::dustCloud::dustCloud
 
     readWalls();
     findAgain();
-    d.system->setTime(mesh_.time().value());
     addArrivals();
     closeWalls();
+    prepareInsertion();
     prepareExchange();
 
     printMaterials();
@@ -722,7 +722,6 @@ void Foam::dustCloud::evolve(const scalar gasSeconds)
         forces_.cacheFields(false);
     }
     solution_.nextIter();
-
     const stopwatch checking;
     checkLimits();
     printProgress();

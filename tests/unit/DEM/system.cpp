@@ -655,7 +655,8 @@ TEST(system, diagnosticsChangeNothing)
             system.clusters();
             system.adhesionMargins();
             std::string wall;
-            system.overlapAt(Vec3::Zero(), 1e-6, wall);
+            const dem::Box box{Vec3::Constant(-1e-5), Vec3::Constant(1e-5)};
+            system.entrance(box, 1e-6, 1e-6, 1).overlap(Vec3::Zero(), 1e-6, 0, wall);
             for (std::size_t i = 0; i < system.size(); ++i) system.packState(i);
         }
         return scene::sorted(system);
@@ -832,22 +833,4 @@ TEST(system, refusesOverlapsThatNoLawCovers)
         EXPECT_NE(message.find("78"), std::string::npos) << message;
         EXPECT_NE(message.find("time"), std::string::npos) << message;
     }
-}
-
-
-TEST(system, overlapOfASphereToBeInserted)
-{
-    const Law law;
-    dem::System system(law.table(), {});
-    system.setWalls(scene::floor());
-    system.add(sphere(law, 1, 1e-6, Vec3(0, 0, 5e-6)));
-    std::string wall;
-    EXPECT_TRUE(near(system.overlapAt(Vec3(0, 0, 0.8e-6), 1e-6, wall), 0.2e-6, 1e-18));
-    EXPECT_EQ(wall, "floor");
-    EXPECT_TRUE(near(system.overlapAt(Vec3(0, 0, 6.5e-6), 1e-6, wall), 0.5e-6, 1e-18));
-    EXPECT_EQ(wall, "");
-    EXPECT_TRUE(near(system.overlapAt(Vec3(0, 0, 2.5e-6), 1e-6, wall), -0.5e-6, 1e-18));
-    EXPECT_LT(system.overlapAt(Vec3(1, 0, 0.01), 1e-6, wall), 0);
-    // beyond the wall
-    EXPECT_GT(system.overlapAt(Vec3(0, 0, -1e-6), 1e-6, wall), 1.9e-6);
 }
