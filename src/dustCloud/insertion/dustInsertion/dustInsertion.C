@@ -58,7 +58,7 @@ Foam::DynamicList<Foam::dustInsertion::newcomer> Foam::dustInsertion::due
             }
             injector.pass();
 
-            newcomer n;
+            newcomer n = newcomer();
             n.injector = i;
             n.number = number;
             n.delay = max(clock.due(number) - now, scalar(0));
