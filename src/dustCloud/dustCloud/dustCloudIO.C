@@ -43,7 +43,6 @@ void Foam::dustCloud::readCounters(const dictionary& ledger)
     ledger.readEntry("refused", refused_.count);
     ledger.readEntry("refusedMass", refused_.mass);
     ledger.readEntry("nextId", nextId_);
-    ledger.readIfPresent("particleTime", dem_->now);
 
     for (const entry& e : ledger.subDict("escaped"))
     {
@@ -101,11 +100,6 @@ void Foam::dustCloud::storeCounters()
     ledger.set("refused", refused_.count);
     ledger.set("refusedMass", refused_.mass);
     ledger.set("nextId", nextId_);
-    if (dem_->now < mesh_.time().value())
-    {
-        // Stopped by a signal
-        ledger.set("particleTime", dem_->now);
-    }
 
     wordList walls;
     for (const label patchi : dem_->wallPatches)

@@ -364,21 +364,16 @@ void Foam::dustCloud::motion(dustParcel::trackingData& td)
 
     // Not the sum of all steps: a restarted run must have the same time
     const scalar end = mesh_.time().value();
+    d.now = end - solution_.trackTime();
     if (!gasFrozen_)
     {
-        d.now = end - solution_.trackTime();
         d.insertion->newGas(end);
     }
-    const bool seen = watched();
 
     for (label subStep = 0; d.now < end; ++subStep)
     {
         const scalar left = end - d.now;
-        const scalar dt = nextParticleStep(left, seen);
-        if (dt <= 0)
-        {
-            break;
-        }
+        const scalar dt = nextParticleStep(left);
         d.system->setTime(d.now);
         insert(dt);
 

@@ -22,13 +22,6 @@ License
 #include "dustCloudData.H"
 #include "brownianMotion.H"
 #include "cellCrossing.H"
-#include "dustPatchInjection.H"
-
-#include "InjectionModelList.H"
-#include "DispersionModel.H"
-#include "PatchInteractionModel.H"
-#include "StochasticCollisionModel.H"
-#include "SurfaceFilmModel.H"
 
 #include <cmath>
 
@@ -69,81 +62,19 @@ Foam::scalar Foam::dustCloud::particleStepLimit() const
 }
 
 
-bool Foam::dustCloud::watched() const
-{
-    const Time& time = mesh_.time();
-    const bool last =
-        time.value() > time.endTime().value() - 0.5*time.deltaTValue();
-    if (!gasFrozen_ || time.writeTime() || last)
-    {
-        return true;
-    }
-    if (particleProperties_.subOrEmptyDict("cloudFunctions").size())
-    {
-        return true;
-    }
-    for (const auto& injector : injectors_)
-    {
-        if
-        (
-            !isA<dustPatchInjection>(injector)
-         && injector.modelType() != "none"
-        )
-        {
-            return true;
-        }
-    }
-    for (const entry& e : time.controlDict().subOrEmptyDict("functions"))
-    {
-        if
-        (
-            e.isDict()
-         && e.dict().lookupOrDefault<word>("writeControl", "timeStep")
-         != "writeTime"
-        )
-        {
-            return true;
-        }
-    }
-    return false;
-}
-
-
-Foam::scalar Foam::dustCloud::nextParticleStep
-(
-    const scalar left,
-    const bool watched
-) const
+Foam::scalar Foam::dustCloud::nextParticleStep(const scalar left) const
 {
     const demData& d = *dem_;
-    const scalar longest =
-        solution_.dict().lookupOrDefault<scalar>("deltaTMax", GREAT);
-    scalar limit = d.insertion->stepLimit
+    const scalar limit = d.insertion->stepLimit
     (
         d.now,
         particleStepLimit(),
         solution_.maxCo()
     );
 
-    // Equal steps for what is left, as few as the limit allows. The limit may
-    // differ in its last bits between decompositions. In still gas deltaT is
-    // all that there is to go by.
-    if (!gasFrozen_ || limit > 10*mesh_.time().deltaTValue())
-    {
-        return left/max(scalar(1), std::ceil(left/limit - 1e-6));
-    }
-
-    // In frozen gas a step has the length that its particles want, wherever
-    // gas steps end; in classes, for the sake of those last bits
-    if (limit < longest)
-    {
-        limit = std::exp2(std::floor(32*std::log2(limit))/32);
-    }
-    if (limit < left*(1 - 1e-6))
-    {
-        return limit;
-    }
-    return watched ? left : 0;
+    // Equal steps for what is left of the gas step, as few as the limit allows.
+    // The limit may differ in its last bits between decompositions.
+    return left/max(scalar(1), std::ceil(left/limit - 1e-6));
 }
 
 
