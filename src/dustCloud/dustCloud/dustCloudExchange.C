@@ -180,6 +180,7 @@ void Foam::dustCloud::closeExchange()
     for (dustParcel& p : *this)
     {
         place.moveTo(p.x(), p.cell());
+        exchangePtr_->give(place, p.given());
         exchangePtr_->respond(place, p.response(), p.mass(), p.held());
     }
     exchangePtr_->close
@@ -222,6 +223,17 @@ void Foam::dustCloud::receive(const volVectorField& UOld)
     exchangePtr_->balance();
     snapshotPtr_.reset();
     snapshotTimeIndex_ = -1;
+}
+
+
+void Foam::dustCloud::giveLast(dustParcel& p)
+{
+    if (twoWay_)
+    {
+        cellShares place(mesh_);
+        place.moveTo(p.position(), p.cell());
+        exchangePtr_->give(place, p.given());
+    }
 }
 
 
