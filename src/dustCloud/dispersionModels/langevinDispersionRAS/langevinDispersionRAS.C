@@ -26,8 +26,10 @@ License
 #include "gradScheme.H"
 #include "indexedOctree.H"
 #include "IStringStream.H"
+#include "pointFields.H"
 #include "treeDataTriSurface.H"
 #include "turbulenceModel.H"
+#include "volPointInterpolation.H"
 #include "wallPolyPatch.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -190,6 +192,13 @@ void Foam::langevinDispersionRAS::setCells(const volScalarField& k)
         )().grad(s)
     );
 
+    sAtPoints_ =
+        volPointInterpolation::New(mesh).interpolate(s)().primitiveField();
+    for (scalar& atPoint : sAtPoints_)
+    {
+        atPoint = rounded(atPoint);
+    }
+
     // Reynolds-stress models keep R
     tmp<volTensorField> tL;
     tmp<volVectorField> tDivL;
@@ -249,6 +258,32 @@ void Foam::langevinDispersionRAS::setCells(const volScalarField& k)
             t.uTau = wall.value.x();
             t.nu = wall.value.y();
         }
+    }
+}
+
+
+void Foam::langevinDispersionRAS::useOwnTetrahedron
+(
+    turbulenceSeen& t,
+    const dustParcel& p
+) const
+{
+    const polyMesh& mesh = this->owner().mesh();
+    const triFace tri(p.currentTetIndices().faceTriIs(mesh));
+    const vector a(mesh.points()[tri[0]] - t.origin);
+    const vector b(mesh.points()[tri[1]] - t.origin);
+    const vector c(mesh.points()[tri[2]] - t.origin);
+    const scalar volume = a & (b ^ c);
+
+    // Flat ones, of which there is little, keep the cell's
+    if (mag(volume) > 1e-12*mag(a)*mag(b)*mag(c))
+    {
+        t.gradS =
+        (
+            (sAtPoints_[tri[0]] - t.s)*(b ^ c)
+          + (sAtPoints_[tri[1]] - t.s)*(c ^ a)
+          + (sAtPoints_[tri[2]] - t.s)*(a ^ b)
+        )/volume;
     }
 }
 
@@ -347,6 +382,7 @@ Foam::vector Foam::langevinDispersionRAS::fluctuation
 ) const
 {
     turbulenceSeen t(seen_[p.cell()]);
+    useOwnTetrahedron(t, p);
     useOwnWall(t, p.cell(), p.x());
     t.along = turbulenceSeen::tangent(t.n, Uc);
 
