@@ -71,6 +71,33 @@ namespace Foam
             c, e, sqrt(max(R.zz() - c*c - e*e, floor))
         );
     }
+
+    //- L of the field; s: for its boundary conditions
+    static tmp<volTensorField> factorOf
+    (
+        const volSymmTensorField& R,
+        const volScalarField& s
+    )
+    {
+        tmp<volTensorField> tL
+        (
+            new volTensorField("L", s*tensor(tensor::I))
+        );
+        volTensorField& L = tL.ref();
+        forAll(L, celli)
+        {
+            L[celli] = cholesky(R[celli]);
+        }
+        forAll(L.boundaryField(), patchi)
+        {
+            forAll(L.boundaryField()[patchi], facei)
+            {
+                L.boundaryFieldRef()[patchi][facei] =
+                    cholesky(R.boundaryField()[patchi][facei]);
+            }
+        }
+        return tL;
+    }
 }
 
 
@@ -205,23 +232,8 @@ void Foam::langevinDispersionRAS::setCells(const volScalarField& k)
     if (mesh.foundObject<volSymmTensorField>("R"))
     {
         const volSymmTensorField R(turb.R());
-        tL = tmp<volTensorField>
-        (
-            new volTensorField("L", s*tensor(tensor::I))
-        );
-        volTensorField& L = tL.ref();
-        forAll(L, celli)
-        {
-            L[celli] = cholesky(R[celli]);
-        }
-        forAll(L.boundaryField(), patchi)
-        {
-            forAll(L.boundaryField()[patchi], facei)
-            {
-                L.boundaryFieldRef()[patchi][facei] =
-                    cholesky(R.boundaryField()[patchi][facei]);
-            }
-        }
+        tL = factorOf(R, s);
+        const volTensorField& L = tL();
         tDivL = fvc::div(mesh.Sf() & fvc::interpolate(L));
     }
 
