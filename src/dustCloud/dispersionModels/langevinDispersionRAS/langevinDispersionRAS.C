@@ -26,8 +26,10 @@ License
 #include "gradScheme.H"
 #include "indexedOctree.H"
 #include "IStringStream.H"
+#include "pointFields.H"
 #include "treeDataTriSurface.H"
 #include "turbulenceModel.H"
+#include "volPointInterpolation.H"
 #include "wallPolyPatch.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -68,6 +70,33 @@ namespace Foam
             b, d, 0,
             c, e, sqrt(max(R.zz() - c*c - e*e, floor))
         );
+    }
+
+    //- L of the field; s: for its boundary conditions
+    static tmp<volTensorField> factorOf
+    (
+        const volSymmTensorField& R,
+        const volScalarField& s
+    )
+    {
+        tmp<volTensorField> tL
+        (
+            new volTensorField("L", s*tensor(tensor::I))
+        );
+        volTensorField& L = tL.ref();
+        forAll(L, celli)
+        {
+            L[celli] = cholesky(R[celli]);
+        }
+        forAll(L.boundaryField(), patchi)
+        {
+            forAll(L.boundaryField()[patchi], facei)
+            {
+                L.boundaryFieldRef()[patchi][facei] =
+                    cholesky(R.boundaryField()[patchi][facei]);
+            }
+        }
+        return tL;
     }
 }
 
@@ -190,29 +219,21 @@ void Foam::langevinDispersionRAS::setCells(const volScalarField& k)
         )().grad(s)
     );
 
+    sAtPoints_ =
+        volPointInterpolation::New(mesh).interpolate(s)().primitiveField();
+    for (scalar& atPoint : sAtPoints_)
+    {
+        atPoint = rounded(atPoint);
+    }
+
     // Reynolds-stress models keep R
     tmp<volTensorField> tL;
     tmp<volVectorField> tDivL;
     if (mesh.foundObject<volSymmTensorField>("R"))
     {
         const volSymmTensorField R(turb.R());
-        tL = tmp<volTensorField>
-        (
-            new volTensorField("L", s*tensor(tensor::I))
-        );
-        volTensorField& L = tL.ref();
-        forAll(L, celli)
-        {
-            L[celli] = cholesky(R[celli]);
-        }
-        forAll(L.boundaryField(), patchi)
-        {
-            forAll(L.boundaryField()[patchi], facei)
-            {
-                L.boundaryFieldRef()[patchi][facei] =
-                    cholesky(R.boundaryField()[patchi][facei]);
-            }
-        }
+        tL = factorOf(R, s);
+        const volTensorField& L = tL();
         tDivL = fvc::div(mesh.Sf() & fvc::interpolate(L));
     }
 
@@ -249,6 +270,32 @@ void Foam::langevinDispersionRAS::setCells(const volScalarField& k)
             t.uTau = wall.value.x();
             t.nu = wall.value.y();
         }
+    }
+}
+
+
+void Foam::langevinDispersionRAS::useOwnTetrahedron
+(
+    turbulenceSeen& t,
+    const dustParcel& p
+) const
+{
+    const polyMesh& mesh = this->owner().mesh();
+    const triFace tri(p.currentTetIndices().faceTriIs(mesh));
+    const vector a(mesh.points()[tri[0]] - t.origin);
+    const vector b(mesh.points()[tri[1]] - t.origin);
+    const vector c(mesh.points()[tri[2]] - t.origin);
+    const scalar volume = a & (b ^ c);
+
+    // Flat ones, of which there is little, keep the cell's
+    if (mag(volume) > 1e-12*mag(a)*mag(b)*mag(c))
+    {
+        t.gradS =
+        (
+            (sAtPoints_[tri[0]] - t.s)*(b ^ c)
+          + (sAtPoints_[tri[1]] - t.s)*(c ^ a)
+          + (sAtPoints_[tri[2]] - t.s)*(a ^ b)
+        )/volume;
     }
 }
 
@@ -347,6 +394,7 @@ Foam::vector Foam::langevinDispersionRAS::fluctuation
 ) const
 {
     turbulenceSeen t(seen_[p.cell()]);
+    useOwnTetrahedron(t, p);
     useOwnWall(t, p.cell(), p.x());
     t.along = turbulenceSeen::tangent(t.n, Uc);
 
