@@ -288,14 +288,11 @@ void Contacts::storeAll(IslandState& state) const
     {
         store(state, list, k);
     });
-    const auto before = [](const StoredContact& a, const StoredContact& b)
+    const auto first = [](const StoredContact& a, const StoredContact& b)
     {
-        const ContactRecord &p = a.record, &q = b.record;
-        return
-            p.idJ < q.idJ
-         || (p.idJ == q.idJ && std::lexicographical_compare(p.n, p.n + 3, q.n, q.n + 3));
+        return before(a.record, b.record);
     };
-    for (auto& s : state.contacts.stored) std::stable_sort(s.begin(), s.end(), before);
+    for (auto& s : state.contacts.stored) std::stable_sort(s.begin(), s.end(), first);
 }
 
 }

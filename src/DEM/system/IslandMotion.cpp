@@ -2,6 +2,7 @@
 #include "system/IslandMotion.hpp"
 
 #include "contactModels/contactModel/ContactLaw.hpp"
+#include "particles/errors.hpp"
 #include "timeIntegration/RigidAggregate.hpp"
 
 #include <algorithm>
@@ -37,7 +38,10 @@ IslandMotion::IslandMotion
 void IslandMotion::move(IslandMembers& island, double dt, double now, bool keepExchange)
 {
     if (!flyTogether(island, dt)) integrate(island, dt, now, keepExchange);
-    for (const Member& m : island.members) island.outran = island.outran || m.outran > 0;
+    for (const Member& m : island.members)
+    {
+        island.outran = island.outran || m.outran > 0 || m.woke;
+    }
 }
 
 
@@ -104,7 +108,7 @@ bool IslandMotion::flyTogether(IslandMembers& island, double dt)
     std::vector<GasLoad> loads;
     for (const Member& m : members)
     {
-        if (m.rest.aggregate != first.aggregate || m.pushed) return false;
+        if (m.rest.aggregate != first.aggregate || m.pushed || m.rim) return false;
         flyers.push_back(m.p);
         loads.push_back(m.gas);
     }
@@ -143,10 +147,14 @@ void IslandMotion::load(IslandMembers& island, double dt)
             m.p.radius + materials_.reach(m.p.material, m.p.radius, walls_.walls())
           + m.corridor.width(dt);
         const Vec3 end = m.p.x + dt*m.corridor.v;
-        walls_.query
-        (
-            m.p.x.cwiseMin(end).array() - half, m.p.x.cwiseMax(end).array() + half, surfaces
-        );
+        surfaces.clear();
+        if (!m.seen)
+        {
+            walls_.query
+            (
+                m.p.x.cwiseMin(end).array() - half, m.p.x.cwiseMax(end).array() + half, surfaces
+            );
+        }
         local.emplace(m.p.id, int(local.size()));
         RestState state = m.rest;
         if (state.aggregate >= 0)
@@ -156,10 +164,11 @@ void IslandMotion::load(IslandMembers& island, double dt)
             state.aggregate = -1;
             ++island.report.wakes;
         }
-        integrator_.addParticle(m.p, m.gas, state, m.corridor);
+        integrator_.addParticle(m.p, m.gas, state, m.corridor, m.rim);
         integrator_.addSurfaces(surfaces);
     }
 
+    kept_.assign(members.size(), {});
     for (std::size_t i = 0; i < members.size(); ++i)
     {
         for (const ContactRecord& c : members[i].contacts)
@@ -167,9 +176,14 @@ void IslandMotion::load(IslandMembers& island, double dt)
             int j = -1;
             if (c.wall < 0)
             {
-                // the partner has left the system: the contact has gone with it
+                // the partner has left the system: the contact has gone with it. That of the
+                // rim may only be elsewhere.
                 const auto found = local.find(c.idJ);
-                if (found == local.end()) continue;
+                if (found == local.end())
+                {
+                    if (members[i].rim) kept_[i].push_back(c);
+                    continue;
+                }
                 j = found->second;
             }
             integrator_.addContact(int(i), j, c);
@@ -184,17 +198,45 @@ void IslandMotion::integrate(IslandMembers& island, double dt, double now, bool 
     integrator_.run(dt, now, island.report);
     ++island.report.islands;
 
+    if (wokeAtRim(island.members)) return;
     std::vector<GasExchange> exchanges;
     if (keepExchange) exchanges = integrator_.gasExchange(dt);
     for (std::size_t i = 0; i < island.members.size(); ++i)
     {
         Member& m = island.members[i];
-        m.p = integrator_.particle(int(i));
-        m.rest = integrator_.rest(int(i));
+        if (m.seen) continue;
         if (keepExchange) m.exchange = exchanges[i];
         m.contacts = integrator_.contacts(int(i));
+        if (!kept_[i].empty())
+        {
+            m.contacts.insert(m.contacts.end(), kept_[i].begin(), kept_[i].end());
+            std::sort(m.contacts.begin(), m.contacts.end(), before);
+        }
+        if (m.rim) continue;
+        m.p = integrator_.particle(int(i));
+        m.rest = integrator_.rest(int(i));
         m.outran = integrator_.outran(int(i));
     }
+}
+
+
+//- Whether the run has ended because the rim would have woken; that is taken down
+bool IslandMotion::wokeAtRim(std::vector<Member>& members) const
+{
+    bool any = false, known = false;
+    for (std::size_t i = 0; i < members.size(); ++i)
+    {
+        Member& m = members[i];
+        m.outran = integrator_.outran(int(i));
+        m.woke = integrator_.wokeAtRim(int(i));
+        any = any || m.woke;
+        known = known || m.outran > 0 || (m.woke && !m.seen);
+    }
+    if (any && !known)
+    {
+        throw numericalError("Particles have touched that were not found to be able to");
+    }
+    return any;
 }
 
 }

@@ -228,7 +228,7 @@ void System::setGasLoad(std::size_t i, const GasLoad& load)
           + std::to_string(impl_->now) + " s"
         );
     }
-    store.gas[i] = load;
+    store.setGas(i, load);
 }
 
 
@@ -255,7 +255,9 @@ StepReport System::advance(double dt)
 
 const GasExchange& System::gasExchange(std::size_t i) const
 {
-    return impl_->store.exchange[impl_->store.checked(i)];
+    ParticleStore& store = impl_->store;
+    store.checked(i);
+    return impl_->keepExchange ? store.gasExchange(i) : store.exchange[i];
 }
 
 

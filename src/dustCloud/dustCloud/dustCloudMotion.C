@@ -60,6 +60,10 @@ Foam::scalar Foam::dustCloud::particleStepLimit() const
 
     for (const dustParcel& p : *this)
     {
+        if (p.state() == dustParcel::resting)
+        {
+            continue;
+        }
         if (d.brownian && p.state() <= dustParcel::airborne)
         {
             limit = min
@@ -73,10 +77,7 @@ Foam::scalar Foam::dustCloud::particleStepLimit() const
         scalar rate = cellCrossing(mesh_, p.cell(), p.U());
 
         // A particle that follows the gas may be as fast as the gas is
-        if (p.state() != dustParcel::resting)
-        {
-            rate = max(rate, cellCrossing(mesh_, p.cell(), U_[p.cell()]));
-        }
+        rate = max(rate, cellCrossing(mesh_, p.cell(), U_[p.cell()]));
         if (rate > VSMALL)
         {
             limit = min(limit, maxCo/rate);
@@ -180,6 +181,18 @@ void Foam::dustCloud::takeMotion
     {
         const std::size_t index = std::size_t(p.demIndex());
         const dem::Particle& particle = system.particle(index);
+        const bool resting = system.resting(index);
+        if
+        (
+            resting && p.state() == dustParcel::resting && !twoWay_
+         && p.x() == toVector(particle.x)
+        )
+        {
+            p.age() += dt;
+            ++i;
+            continue;
+        }
+
         vector kick(Zero);
         if (kicking && !system.inContact(index))
         {
@@ -208,7 +221,7 @@ void Foam::dustCloud::takeMotion
         p.omega() = toVector(particle.omega);
         p.age() += dt;
         p.state() =
-            system.resting(index) ? dustParcel::resting
+            resting ? dustParcel::resting
           : system.inContact(index) ? dustParcel::inContact
           : dustParcel::airborne;
     }
