@@ -51,6 +51,10 @@ Usage
       - optional constant/g; without it there is no gravity
       - the fields U and, if the gas is solved, p in the start time
 
+    With two-way coupling the velocity is swept after the last corrector until
+    the gas's equation loses less than momentumTolerance (in PIMPLE, 1e-6) of
+    the gas's momentum in a step.
+
     dustFoam -models prints the forces, dispersion and injection models.
 
     Restart: startFrom latestTime. Exact with writeFormat binary or
@@ -65,12 +69,13 @@ Usage
 #include "PhaseIncompressibleTurbulenceModel.H"
 #include "pimpleControl.H"
 #include "fvOptions.H"
-#include "fixedFluxPressureFvPatchScalarField.H"
-#include "surfaceInterpolationScheme.H"
+#include "gaussGrad.H"
+#include "linear.H"
 #include "clockTime.H"
 #include "dustCloud.H"
 #include "dustTime.H"
 #include "modelTable.H"
+#include "resistedMomentum.H"
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
@@ -162,9 +167,9 @@ int main(int argc, char *argv[])
                     #include "pEqn.H"
                 }
 
-                if (pimple.finalIter())
+                if (dust.twoWay() && pimple.finalIter())
                 {
-                    #include "exchangeChecks.H"
+                    #include "keepMomentum.H"
                 }
 
                 if (pimple.turbCorr())
@@ -186,9 +191,16 @@ int main(int argc, char *argv[])
         if (dust.twoWay())
         {
             Info<< nl << "  Exchange: momentum that the gas lost in a step at"
-                << " most " << momentumLost << " of its own, resistance of the"
-                << " dust differs by at most " << resistanceJump
-                << " between neighbouring cells" << endl;
+                << " most " << momentumLost << " of its own, after "
+                << momentumSweeps << " sweeps of its velocity" << endl;
+
+            if (momentumLost > momentumTolerance)
+            {
+                WarningInFunction
+                    << "momentumTolerance is " << momentumTolerance
+                    << ": more correctors (nCorrectors, nOuterCorrectors) or a"
+                    << " smaller deltaT lose less" << endl;
+            }
         }
     }
 

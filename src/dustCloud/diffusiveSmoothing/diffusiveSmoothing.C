@@ -23,6 +23,7 @@ License
 #include "fvScalarMatrix.H"
 #include "fvmSup.H"
 #include "gaussLaplacianScheme.H"
+#include "syncTools.H"
 #include "zeroGradientFvPatchFields.H"
 
 #include <cmath>
@@ -33,62 +34,25 @@ namespace Foam
 {
 
 //- Implicit steps
-static const label nSteps = 2;
+static const label nImplicit = 2;
 
 //- Explicit steps that are still cheaper than these
 static const label mostExplicit = 20;
 
+} // End namespace Foam
 
-//- Add to each cell, over its volume, D times the difference from each
-//  neighbour's value
-static void addDifferences
-(
-    scalarField& sum,
-    const surfaceScalarField& D,
-    const volScalarField& f
-)
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::label Foam::diffusiveSmoothing::stableSteps() const
 {
-    const fvMesh& mesh = f.mesh();
-    const scalarField& V = mesh.V();
-
-    forAll(mesh.neighbour(), facei)
+    scalarField given(mesh_.nCells(), Zero);
+    forAll(mesh_.neighbour(), facei)
     {
-        const label P = mesh.owner()[facei];
-        const label N = mesh.neighbour()[facei];
-        const scalar d = D[facei]*(f[N] - f[P]);
-        sum[P] += d/V[P];
-        sum[N] -= d/V[N];
+        given[mesh_.owner()[facei]] += diffusion_[facei];
+        given[mesh_.neighbour()[facei]] += diffusion_[facei];
     }
-    for (const fvPatchScalarField& fb : f.boundaryField())
-    {
-        if (fb.coupled())
-        {
-            const scalarField d
-            (
-                D.boundaryField()[fb.patch().index()]
-               *(fb.patchNeighbourField() - fb.patchInternalField())
-            );
-            const labelUList& cells = fb.patch().faceCells();
-            forAll(cells, i)
-            {
-                sum[cells[i]] += d[i]/V[cells[i]];
-            }
-        }
-    }
-}
-
-
-//- Explicit steps in which no cell gives more than it has
-static label explicitSteps(const surfaceScalarField& D)
-{
-    const fvMesh& mesh = D.mesh();
-    scalarField given(mesh.nCells(), Zero);
-    forAll(mesh.neighbour(), facei)
-    {
-        given[mesh.owner()[facei]] += D[facei];
-        given[mesh.neighbour()[facei]] += D[facei];
-    }
-    for (const fvsPatchScalarField& Db : D.boundaryField())
+    for (const fvsPatchScalarField& Db : diffusion_.boundaryField())
     {
         if (Db.coupled())
         {
@@ -98,10 +62,142 @@ static label explicitSteps(const surfaceScalarField& D)
             }
         }
     }
-    return label(std::ceil(1.5*gMax(given/mesh.V())));
+    return label(std::ceil(1.5*gMax(given/mesh_.V())));
 }
 
-} // End namespace Foam
+
+template<Foam::label n>
+void Foam::diffusiveSmoothing::explicitStep
+(
+    scalarField& f,
+    scalarField& change,
+    scalarField& across
+) const
+{
+    const labelUList& owner = mesh_.owner();
+    const labelUList& neighbour = mesh_.neighbour();
+    const scalarField& D = diffusion_;
+    const scalarField& V = mesh_.V();
+    const label nInternal = mesh_.nInternalFaces();
+
+    change = Zero;
+    forAll(neighbour, facei)
+    {
+        const scalar* fP = &f[owner[facei]*n];
+        const scalar* fN = &f[neighbour[facei]*n];
+        scalar* changeP = &change[owner[facei]*n];
+        scalar* changeN = &change[neighbour[facei]*n];
+        for (label i = 0; i < n; ++i)
+        {
+            const scalar d = D[facei]*(fN[i] - fP[i]);
+            changeP[i] += d;
+            changeN[i] -= d;
+        }
+    }
+
+    if (coupled_)
+    {
+        for (label i = 0; i < n; ++i)
+        {
+            forAll(across, facei)
+            {
+                across[facei] = f[mesh_.faceOwner()[nInternal + facei]*n + i];
+            }
+            syncTools::swapBoundaryFaceList(mesh_, across);
+
+            for (const fvsPatchScalarField& Db : diffusion_.boundaryField())
+            {
+                const label start = Db.patch().start() - nInternal;
+                const labelUList& cells = Db.patch().faceCells();
+                for (label j = 0; Db.coupled() && j < Db.size(); ++j)
+                {
+                    const label own = cells[j]*n + i;
+                    change[own] += Db[j]*(across[start + j] - f[own]);
+                }
+            }
+        }
+    }
+
+    forAll(V, celli)
+    {
+        const scalar part = 1/(V[celli]*explicitSteps_);
+        for (label i = celli*n; i < (celli + 1)*n; ++i)
+        {
+            f[i] += part*change[i];
+        }
+    }
+}
+
+
+void Foam::diffusiveSmoothing::spreadExplicitly
+(
+    scalarField& f,
+    const label n
+) const
+{
+    scalarField change(f.size());
+    scalarField across(coupled_ ? mesh_.nFaces() - mesh_.nInternalFaces() : 0);
+
+    for (label step = 0; step < explicitSteps_; ++step)
+    {
+        switch (n)
+        {
+            case 1: explicitStep<1>(f, change, across); break;
+            case 3: explicitStep<3>(f, change, across); break;
+            case 4: explicitStep<4>(f, change, across); break;
+            case 6: explicitStep<6>(f, change, across); break;
+            default:
+                FatalErrorInFunction
+                    << n << " fields at once" << abort(FatalError);
+        }
+    }
+}
+
+
+void Foam::diffusiveSmoothing::spreadImplicitly(scalarField& f) const
+{
+    // Nothing to spread: also what PCG cannot normalise
+    if (gMax(mag(f)) == 0)
+    {
+        return;
+    }
+
+    volScalarField smooth
+    (
+        IOobject("smooth", mesh_.time().timeName(), mesh_),
+        mesh_,
+        dimensionedScalar(dimless, Zero),
+        zeroGradientFvPatchScalarField::typeName
+    );
+    smooth.primitiveFieldRef() = f;
+    smooth.correctBoundaryConditions();
+    const surfaceScalarField part
+    (
+        diffusion_/(scalar(nImplicit)*mesh_.deltaCoeffs())
+    );
+
+    for (label i = 0; i < nImplicit; ++i)
+    {
+        fvScalarMatrix eqn
+        (
+            fvm::Sp(dimensionedScalar("one", dimless, 1), smooth)
+          - fv::gaussLaplacianScheme<scalar, scalar>::fvmLaplacianUncorrected
+            (
+                part,
+                mesh_.deltaCoeffs(),
+                smooth
+            )
+        );
+        eqn.source() = mesh_.V().field()*smooth.primitiveField();
+
+        // Many solutions a gas step are no news
+        const int level = solverPerformance::debug;
+        solverPerformance::debug = 0;
+        eqn.solve(controls_);
+        solverPerformance::debug = level;
+    }
+    f = smooth.primitiveField();
+}
 
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -118,9 +214,18 @@ Foam::diffusiveSmoothing::diffusiveSmoothing
     (
         IOobject("smoothingDiffusion", mesh.time().timeName(), mesh),
         mesh,
-        dimensionedScalar(dimArea*dimArea, Zero)
-    )
+        dimensionedScalar(dimVolume, Zero)
+    ),
+    explicitSteps_(0),
+    coupled_(false)
 {
+    for (const fvPatch& patch : mesh.boundary())
+    {
+        coupled_ = coupled_ || patch.coupled();
+    }
+    // Collective: also where this rank has no coupled patch
+    reduce(coupled_, orOp<bool>());
+
     controls_.set("solver", "PCG");
     controls_.set("preconditioner", "DIC");
     controls_.set("tolerance", 1e-14);
@@ -139,11 +244,39 @@ void Foam::diffusiveSmoothing::setWidth(const scalar width)
     }
     width_ = width;
     diffusion_ =
-        mesh_.magSf()/(2*nSteps)
+        0.5*mesh_.magSf()*mesh_.deltaCoeffs()
        *(
             0.5*sqr(1/mesh_.deltaCoeffs())
           + sqr(dimensionedScalar("width", dimLength, width))
         );
+    explicitSteps_ = max(label(1), stableSteps());
+    if (explicitSteps_ > mostExplicit)
+    {
+        explicitSteps_ = 0;
+    }
+}
+
+
+void Foam::diffusiveSmoothing::spread(scalarField& f, const label n) const
+{
+    if (explicitSteps_ > 0)
+    {
+        spreadExplicitly(f, n);
+        return;
+    }
+    scalarField one(mesh_.nCells());
+    for (label i = 0; i < n; ++i)
+    {
+        forAll(one, celli)
+        {
+            one[celli] = f[celli*n + i];
+        }
+        spreadImplicitly(one);
+        forAll(one, celli)
+        {
+            f[celli*n + i] = one[celli];
+        }
+    }
 }
 
 
@@ -152,58 +285,9 @@ Foam::tmp<Foam::scalarField> Foam::diffusiveSmoothing::operator()
     const scalarField& f
 ) const
 {
-    volScalarField smooth
-    (
-        IOobject("smooth", mesh_.time().timeName(), mesh_),
-        mesh_,
-        dimensionedScalar(dimless, Zero),
-        zeroGradientFvPatchScalarField::typeName
-    );
-    smooth.primitiveFieldRef() = f;
-    smooth.correctBoundaryConditions();
-
-    // Nothing to spread: also what PCG cannot normalise
-    if (gMax(mag(f)) == 0)
-    {
-        return tmp<scalarField>(new scalarField(f));
-    }
-
-    const surfaceScalarField D(nSteps*diffusion_*mesh_.deltaCoeffs());
-    const label n = explicitSteps(D);
-    if (n <= mostExplicit)
-    {
-        for (label i = 0; i < n; ++i)
-        {
-            scalarField change(f.size(), Zero);
-            addDifferences(change, D, smooth);
-            smooth.primitiveFieldRef() += change/n;
-            smooth.correctBoundaryConditions();
-        }
-        return tmp<scalarField>(new scalarField(smooth.primitiveField()));
-    }
-
-    for (label i = 0; i < nSteps; ++i)
-    {
-        fvScalarMatrix eqn
-        (
-            fvm::Sp(dimensionedScalar("one", dimless, 1), smooth)
-          - fv::gaussLaplacianScheme<scalar, scalar>::fvmLaplacianUncorrected
-            (
-                diffusion_,
-                mesh_.deltaCoeffs(),
-                smooth
-            )
-        );
-        eqn.source() = mesh_.V().field()*smooth.primitiveField();
-
-        // Six solutions a gas step are no news
-        const int level = solverPerformance::debug;
-        solverPerformance::debug = 0;
-        eqn.solve(controls_);
-        solverPerformance::debug = level;
-    }
-
-    return tmp<scalarField>(new scalarField(smooth.primitiveField()));
+    tmp<scalarField> tsmooth(new scalarField(f));
+    spread(tsmooth.ref(), 1);
+    return tsmooth;
 }
 
 
@@ -212,10 +296,18 @@ Foam::tmp<Foam::vectorField> Foam::diffusiveSmoothing::operator()
     const vectorField& f
 ) const
 {
-    tmp<vectorField> tsmooth(new vectorField(f.size()));
-    for (direction d = 0; d < vector::nComponents; ++d)
+    const label n = vector::nComponents;
+    scalarField values(f.size()*n);
+    forAll(values, i)
     {
-        tsmooth.ref().replace(d, operator()(f.component(d)));
+        values[i] = f[i/n][i % n];
+    }
+    spread(values, n);
+
+    tmp<vectorField> tsmooth(new vectorField(f.size()));
+    forAll(values, i)
+    {
+        tsmooth.ref()[i/n][i % n] = values[i];
     }
     return tsmooth;
 }

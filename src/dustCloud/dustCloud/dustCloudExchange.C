@@ -92,7 +92,7 @@ void Foam::dustCloud::setSmoothingWidth()
 void Foam::dustCloud::spreadVelocity()
 {
     spreadUPtr_.reset(new volVectorField("dustU", U_));
-    spreadUPtr_->primitiveFieldRef() = smoothingPtr_()(U_.primitiveField());
+    spreadUPtr_->primitiveFieldRef() = smoothingPtr_()(exchangePtr_->faces().seen(U_)());
     spreadUPtr_->correctBoundaryConditions();
     tdPtr_->spreadUInterp = interpolation<vector>::New
     (
@@ -125,15 +125,36 @@ void Foam::dustCloud::updateVoidFraction()
     }
     place.close(volume);
 
-    scalarField& alpha = alphac_.primitiveFieldRef();
-    alpha = 1 - smoothingPtr_()(volume.cells/mesh_.V());
-    alphac_.correctBoundaryConditions();
-
+    // Volume and its flux: spread at once
+    const scalarField& V = mesh_.V();
+    const label n = twoWay_ ? 4 : 1;
+    scalarField all(n*V.size());
     if (twoWay_)
     {
         place.close(flux);
-        volumeFluxPtr_->primitiveFieldRef() =
-            smoothingPtr_()(flux.cells/mesh_.V());
+    }
+    forAll(V, celli)
+    {
+        all[celli*n] = volume.cells[celli]/V[celli];
+        for (label i = 1; i < n; ++i)
+        {
+            all[celli*n + i] = flux.cells[celli][i - 1]/V[celli];
+        }
+    }
+    smoothingPtr_->spread(all, n);
+
+    scalarField& alpha = alphac_.primitiveFieldRef();
+    forAll(V, celli)
+    {
+        alpha[celli] = 1 - all[celli*n];
+        for (label i = 1; i < n; ++i)
+        {
+            volumeFluxPtr_()[celli][i - 1] = all[celli*n + i];
+        }
+    }
+    alphac_.correctBoundaryConditions();
+    if (twoWay_)
+    {
         volumeFluxPtr_->correctBoundaryConditions();
     }
 

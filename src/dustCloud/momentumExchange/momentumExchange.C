@@ -63,6 +63,7 @@ Foam::momentumExchange::momentumExchange
 :
     mesh_(mesh),
     smoothing_(smoothing),
+    faces_(mesh),
     impulse_(mesh),
     flying_(mesh),
     held_(mesh),
@@ -80,6 +81,13 @@ Foam::momentumExchange::momentumExchange
         mesh,
         dimensionedScalar(dimDensity/dimTime, Zero)
     ),
+    alongFaces_
+    (
+        IOobject("dustForceAlongFaces", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedScalar(dimForce/dimArea, Zero)
+    ),
+    throughFaces_(mesh.nCells(), Zero),
     implicitness_(mesh.nCells(), 1),
     imbalance_(0)
 {
@@ -142,27 +150,48 @@ void Foam::momentumExchange::close(const scalar dt, const scalarField& gasMass)
     shares.close(held_);
     shares.close(flyingSquare_);
 
-    force_.primitiveFieldRef() = smoothing_(-impulse_.cells/(V*dt));
-    force_.correctBoundaryConditions();
+    // Impulse, response of what flies, of what is held, square: at once
+    const label n = 6;
+    scalarField all(n*V.size());
+    forAll(V, celli)
+    {
+        scalar* of = &all[celli*n];
+        for (direction d = 0; d < vector::nComponents; ++d)
+        {
+            of[d] = impulse_.cells[celli][d]/V[celli];
+        }
+        of[3] = flying_.cells[celli]/V[celli];
+        of[4] = held_.cells[celli]/V[celli];
+        of[5] = flyingSquare_.cells[celli]/V[celli];
+    }
+    smoothing_.spread(all, n);
 
-    const scalarField flying(smoothing_(flying_.cells/V));
-    const scalarField held(smoothing_(held_.cells/V));
-    const scalarField square(smoothing_(flyingSquare_.cells/V));
     const scalarField gas(gasMass/V);
 
-    scalarField& resistance = resistance_.primitiveFieldRef();
-    forAll(resistance, celli)
+    forAll(V, celli)
     {
+        const scalar* of = &all[celli*n];
+        const scalar flying = of[3];
+        const scalar held = of[4];
+
+        force_[celli] = -vector(of[0], of[1], of[2])/dt;
         implicitness_[celli] = implicitness
         (
-            flying[celli]/gas[celli],
-            held[celli]/gas[celli],
-            square[celli]/gas[celli]
+            flying/gas[celli],
+            held/gas[celli],
+            of[5]/gas[celli]
         );
-        resistance[celli] =
-            implicitness_[celli]*(flying[celli] + held[celli])/dt;
+        resistance_[celli] = implicitness_[celli]*(flying + held)/dt;
     }
+    force_.correctBoundaryConditions();
     resistance_.correctBoundaryConditions();
+}
+
+
+void Foam::momentumExchange::act()
+{
+    alongFaces_ = faces_.along(force_);
+    throughFaces_ = faces_.resistance(resistance_);
 }
 
 
@@ -174,15 +203,15 @@ Foam::tmp<Foam::vectorField> Foam::momentumExchange::correction
 )
 {
     const vectorField change(U - UOld);
-    const scalarField response(mesh_.V()*dt*resistance_.primitiveField());
+    const scalarField Vdt(mesh_.V()*dt);
 
     givenByGas_ = sum
     (
-        response*change - dt*mesh_.V().field()*force_.primitiveField()
+        Vdt*((throughFaces_ & change) - force_.primitiveField())
     );
-    exchanged_ += sum(response*mag(U));
+    exchanged_ += sum(Vdt*resistance_.primitiveField()*mag(U));
 
-    return smoothing_(implicitness_*change);
+    return smoothing_(implicitness_*faces_.seen(change)());
 }
 
 
