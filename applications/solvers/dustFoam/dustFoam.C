@@ -55,7 +55,9 @@ Usage
     the gas's equation loses less than momentumTolerance (in PIMPLE, 1e-6) of
     the gas's momentum in a step.
 
-    dustFoam -models prints the forces, dispersion and injection models.
+    dustFoam -models prints the forces, dispersion and injection models,
+    dustFoam -keywords [WORD] the keywords of constant/dustProperties, with
+    units, defaults and what is allowed.
 
     Restart: startFrom latestTime. Exact with writeFormat binary or
     writePrecision 17. What is incomplete after a kill is passed over; SIGTERM,
@@ -73,6 +75,7 @@ Usage
 #include "linear.H"
 #include "clockTime.H"
 #include "dustCloud.H"
+#include "dustKeywords.H"
 #include "dustTime.H"
 #include "modelTable.H"
 #include "resistedMomentum.H"
@@ -88,7 +91,7 @@ int main(int argc, char *argv[])
         "Reads constant/dustProperties (materials, contact laws, injection,"
         " forces), constant/transportProperties (nu, rhoInf), the fields U and"
         " p; prints a scene plan, progress and a closing balance; writes"
-        " lagrangian/dust, depositedMass, postProcessing/contacts."
+        " lagrangian/dust, depositedMass (kg/m2), postProcessing/contacts."
     );
 
     argList::addBoolOption
@@ -97,7 +100,7 @@ int main(int argc, char *argv[])
         "Print which forces, dispersion and injection models there are, with"
         " remarks and defaults; needs no case"
     );
-    if (modelTable::asked(argc, argv))
+    if (modelTable::asked(argc, argv) || dustKeywords::asked(argc, argv))
     {
         return 0;
     }
@@ -188,20 +191,7 @@ int main(int argc, char *argv[])
             runTime.stopIfAsked();
         }
 
-        if (dust.twoWay())
-        {
-            Info<< nl << "  Exchange: momentum that the gas lost in a step at"
-                << " most " << momentumLost << " of its own, after "
-                << momentumSweeps << " sweeps of its velocity" << endl;
-
-            if (momentumLost > momentumTolerance)
-            {
-                WarningInFunction
-                    << "momentumTolerance is " << momentumTolerance
-                    << ": more correctors (nCorrectors, nOuterCorrectors) or a"
-                    << " smaller deltaT lose less" << endl;
-            }
-        }
+        #include "momentumReport.H"
     }
 
     dust.summarise();

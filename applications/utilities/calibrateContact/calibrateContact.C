@@ -585,8 +585,7 @@ void writeContact
     os  << nl
         << "contact" << nl
         << "{" << nl
-        << "    \"" << s.pair << "\"" << nl
-        << "    {" << nl
+        << "    \"" << s.pair << "\"" << nl << "    {" << nl
         << "        normal  { model " << s.model << "; dampingCoefficient "
         << f.alpha << "; }" << nl
         << nl;
@@ -605,6 +604,7 @@ void writeContact
     }
     os  << "        effectiveYoungsModulus  " << E << ";" << nl
         << "        surfaceEnergy           " << gamma << ";" << nl
+        << "        calibratedRatio         " << chi << ";" << nl
         << "    }" << nl
         << "}" << nl
         << nl

@@ -593,7 +593,6 @@ int main(int argc, char *argv[])
     (
         caseInput::mustRead("dustProperties", runTime.constant(), runTime)
     );
-    dustProperties::checkKeywords(properties, dustProperties::keywords());
     dustProperties dust(properties);
 
     const IOdictionary probeDict

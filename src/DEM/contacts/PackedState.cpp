@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contacts/PackedState.hpp"
 
+#include "particles/finite.hpp"
+
 #include <cmath>
 
 namespace dem
@@ -67,7 +69,7 @@ const char* PackedState::fault
     for (const double value : state)
     {
         // beyond 1e30 squares overflow
-        if (!std::isfinite(value) || std::fabs(value) > 1e30)
+        if (!isFinite(value) || std::fabs(value) > 1e30)
         {
             return "a number is not finite or impossibly large";
         }

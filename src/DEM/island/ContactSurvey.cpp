@@ -2,6 +2,7 @@
 #include "island/ContactSurvey.hpp"
 
 #include "island/eventTimes.hpp"
+#include "particles/finite.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -74,7 +75,7 @@ void ContactSurvey::check
 ) const
 {
     const Partners p = partners(list, k);
-    if (!std::isfinite(a.speed) || !std::isfinite(list.overlap[k]))
+    if (!isFinite(a.speed) || !isFinite(list.overlap[k]))
     {
         fail(state, "is not finite", p.i, p.j, time);
     }

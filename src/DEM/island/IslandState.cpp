@@ -2,6 +2,7 @@
 #include "island/IslandState.hpp"
 
 #include "particles/errors.hpp"
+#include "particles/finite.hpp"
 
 #include <sstream>
 
@@ -79,7 +80,7 @@ void checkFinite(const IslandState& state, double time)
     for (std::size_t i = 0; i < state.particles.size(); ++i)
     {
         const Particle& p = state.particles[i];
-        if (!p.x.allFinite() || !p.v.allFinite() || !p.omega.allFinite())
+        if (!isFinite(p.x) || !isFinite(p.v) || !isFinite(p.omega))
         {
             fail(state, "is not finite", int(i), -1, time);
         }

@@ -5,6 +5,7 @@
 #include "contactModels/contactModel/contactModelTable.hpp"
 #include "contactModels/contactModel/none.hpp"
 #include "particles/errors.hpp"
+#include "particles/finite.hpp"
 #include "timeIntegration/contactPeriod.hpp"
 #include "walls/Walls.hpp"
 
@@ -28,25 +29,25 @@ std::string text(double v)
 void check(const Material& m)
 {
     const std::string at = "materials/" + m.name + "/";
-    if (!(m.density >= 0 && std::isfinite(m.density)))
+    if (!(isFinite(m.density) && m.density >= 0))
     {
         throw inputError(at + "density", text(m.density), "a positive number [kg/m3]");
     }
-    if (!(m.youngsModulus > 0 && std::isfinite(m.youngsModulus)))
+    if (!(isFinite(m.youngsModulus) && m.youngsModulus > 0))
     {
         throw inputError
         (
             at + "youngsModulus", text(m.youngsModulus), "a positive number [Pa]"
         );
     }
-    if (!(m.poissonRatio > -1 && m.poissonRatio <= 0.5))
+    if (!(isFinite(m.poissonRatio) && m.poissonRatio > -1 && m.poissonRatio <= 0.5))
     {
         throw inputError
         (
             at + "poissonRatio", text(m.poissonRatio), "above -1, at most 0.5"
         );
     }
-    if (!(m.surfaceEnergy >= 0 && std::isfinite(m.surfaceEnergy)))
+    if (!(isFinite(m.surfaceEnergy) && m.surfaceEnergy >= 0))
     {
         throw inputError
         (
@@ -72,7 +73,7 @@ MaterialTable::MaterialTable
     for (const Material& m : materials_) check(m);
 
     const double chi = softening_.ratio;
-    if (!(chi > 0 && chi <= 1))
+    if (!(isFinite(chi) && chi > 0 && chi <= 1))
     {
         throw inputError("reducedStiffness/ratio", text(chi), "above 0, at most 1");
     }
@@ -120,7 +121,7 @@ MaterialTable::MaterialTable
             c.realE = s.effectiveYoungsModulus.value_or(mixedE);
             c.realGamma =
                 s.surfaceEnergy.value_or(std::sqrt(a.surfaceEnergy*b.surfaceEnergy));
-            if (!(c.realE > 0))
+            if (!(isFinite(c.realE) && c.realE > 0))
             {
                 throw inputError
                 (
@@ -128,7 +129,7 @@ MaterialTable::MaterialTable
                     text(c.realE), "a positive number [Pa]"
                 );
             }
-            if (!(c.realGamma >= 0))
+            if (!(isFinite(c.realGamma) && c.realGamma >= 0))
             {
                 throw inputError
                 (

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "particles/finite.hpp"
 #include "particles/vector.hpp"
-
-#include <cmath>
 
 namespace dem
 {
@@ -31,8 +30,8 @@ struct GasLoad
     bool finite() const
     {
         return
-            std::isfinite(Sp) && std::isfinite(SpOmega) && Uc.allFinite() && Su.allFinite()
-         && omegaC.allFinite();
+            isFinite(Sp) && isFinite(SpOmega) && isFinite(Uc) && isFinite(Su)
+         && isFinite(omegaC);
     }
 };
 

@@ -21,10 +21,11 @@ double softestRatioForMargin
     bool wall
 )
 {
-    const double realMargin =
-        2*surfaceEnergy/(8*gasViscosity*slipVelocity)*(wall ? 2 : 1);
+    // No quotient of what may be 0: gas at rest, surfaces that do not adhere
+    const double pullOff = 2*surfaceEnergy*(wall ? 2 : 1);
+    const double least = margin*8*gasViscosity*slipVelocity;
 
-    return realMargin > margin ? std::pow(margin/realMargin, 2.5) : 1;
+    return pullOff > least ? std::pow(least/pullOff, 2.5) : 1;
 }
 
 }

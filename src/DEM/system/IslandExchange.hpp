@@ -34,6 +34,7 @@ struct Member
     int owner = 0;
     std::size_t index = 0;      // on its owner
     GasExchange exchange = {};
+    double delay = 0;           // it enters that long after the particle step has begun [s]
 
     template<class S, class F>
     static void fields(S& s, F& f)
@@ -55,6 +56,7 @@ struct Member
         f(s.owner);
         f(s.index);
         f(s.exchange);
+        f(s.delay);
     }
 };
 

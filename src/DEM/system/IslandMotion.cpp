@@ -37,7 +37,17 @@ IslandMotion::IslandMotion
 
 void IslandMotion::move(IslandMembers& island, double dt, double now, bool keepExchange)
 {
-    if (!flyTogether(island, dt)) integrate(island, dt, now, keepExchange);
+    const auto enters = [](const Member& m) { return m.delay > 0; };
+    if (std::any_of(island.members.begin(), island.members.end(), enters))
+    {
+        integrateInParts(island, dt, now, keepExchange);
+        ++island.report.islands;
+    }
+    else if (!flyTogether(island, dt))
+    {
+        integrate(island, dt, now, keepExchange);
+        ++island.report.islands;
+    }
     for (const Member& m : island.members)
     {
         island.outran = island.outran || m.outran > 0 || m.woke;
@@ -196,7 +206,6 @@ void IslandMotion::integrate(IslandMembers& island, double dt, double now, bool 
 {
     load(island, dt);
     integrator_.run(dt, now, island.report);
-    ++island.report.islands;
 
     if (wokeAtRim(island.members)) return;
     std::vector<GasExchange> exchanges;
@@ -237,6 +246,66 @@ bool IslandMotion::wokeAtRim(std::vector<Member>& members) const
         throw numericalError("Particles have touched that were not found to be able to");
     }
     return any;
+}
+
+
+//- From each moment on at which somebody enters, with those who are there by then
+void IslandMotion::integrateInParts
+(
+    IslandMembers& island, double dt, double now, bool keepExchange
+)
+{
+    const std::vector<Member> before = island.members;
+    std::vector<double> moments{0, dt};
+    for (const Member& m : before) moments.push_back(m.delay);
+    std::sort(moments.begin(), moments.end());
+
+    for (std::size_t part = 0; part + 1 < moments.size(); ++part)
+    {
+        const double start = moments[part], length = moments[part + 1] - start;
+        if (!(length > 0)) continue;
+        IslandMembers there;
+        for (const Member& m : island.members)
+        {
+            if (m.delay > start) continue;
+            there.members.push_back(m);
+            Corridor& c = there.members.back().corridor;
+            c.from = std::max(c.from - start, 0.0);
+        }
+        if (there.members.empty()) continue;
+        integrate(there, length, now + start, keepExchange);
+        island.report.add(there.report);
+        bool woke = false;
+
+        auto m = island.members.begin();
+        for (Member& moved : there.members)
+        {
+            while (m->p.id != moved.p.id) ++m;
+            moved.corridor = m->corridor;
+            moved.outran = std::max(moved.outran, m->outran);
+            const GasExchange &first = m->exchange, &last = moved.exchange;
+            if (m->delay < start)
+            {
+                moved.exchange =
+                {
+                    first.impulse + last.impulse, first.response*last.memory + last.response,
+                    first.memory*last.memory, last.held
+                };
+            }
+            woke = woke || moved.woke;
+            *m = std::move(moved);
+        }
+        if (woke) return;
+    }
+
+    // Each part allows the whole width of the corridor: all together may not take more
+    for (std::size_t k = 0; k < before.size(); ++k)
+    {
+        Member& m = island.members[k];
+        const Vec3 begun = before[k].p.x - before[k].delay*before[k].p.v;
+        const double off = periodic_.nearest(m.p.x - begun - dt*m.corridor.v).norm();
+        if (off > m.corridor.width(dt)) m.outran = std::max(m.outran, off/dt);
+    }
 }
 
 }

@@ -57,6 +57,7 @@ private:
     void load(IslandMembers& island, double dt);
     bool wokeAtRim(std::vector<Member>& members) const;
     void integrate(IslandMembers& island, double dt, double now, bool keepExchange);
+    void integrateInParts(IslandMembers& island, double dt, double now, bool keepExchange);
 
     const MaterialTable& materials_;
     const TimeSettings& time_;

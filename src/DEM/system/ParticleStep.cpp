@@ -54,6 +54,7 @@ void ParticleStep::advance(double dt, double now, bool keepExchange, StepReport&
         report.secondsFlight += lap();
     }
     finish(report);
+    store_.entering.clear();
     report.secondsSearch += lap();
 }
 
@@ -68,6 +69,7 @@ Member ParticleStep::member(std::size_t i, std::int64_t component) const
     m.component = component;
     m.owner = communicator_.rank();
     m.index = i;
+    m.delay = store_.delay(i);
     return m;
 }
 
@@ -218,10 +220,11 @@ void ParticleStep::flyFreely
         Particle& p = store_.particles[i];
         const GasLoad& g = store_.gas[i];
         const double before = time_.energyLedger ? p.kineticEnergy() : 0;
-        const Vec3 impulse = fly(p, g, dt);
+        const double flown = dt - store_.delay(i);
+        const Vec3 impulse = fly(p, g, flown);
         if (keepExchange)
         {
-            const FlightFactors f(g.Sp/p.mass, dt);
+            const FlightFactors f(g.Sp/p.mass, flown);
             store_.give(i, {impulse, g.Sp*f.p1, f.e, false});
         }
         if (time_.energyLedger)

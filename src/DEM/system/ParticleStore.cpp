@@ -5,6 +5,7 @@
 #include "foundation/Fields.hpp"
 #include "particles/errors.hpp"
 #include "island/restCriteria.hpp"
+#include "particles/finite.hpp"
 
 #include <string>
 
@@ -19,7 +20,7 @@ void wakeUp(RestState& rest) { rest.wakeForce = -1; }
 
 void needFinite(const std::string& name, const Vec3& x, const Vec3& v, const Vec3& omega)
 {
-    if (x.allFinite() && v.allFinite() && omega.allFinite()) return;
+    if (isFinite(x) && isFinite(v) && isFinite(omega)) return;
     throw inputError("position", name + " is not finite", "finite numbers");
 }
 
@@ -49,13 +50,14 @@ std::size_t ParticleStore::checked(std::size_t i) const
 }
 
 
-std::size_t ParticleStore::add(const Particle& p, double reachOf)
+std::size_t ParticleStore::add(const Particle& p, double reachOf, double delay)
 {
     needFinite(nameOf(p.id), p.x, p.v, p.omega);
     if (p.id < 0 || !indexOf.emplace(p.id, size()).second)
     {
         throw inputError("id", nameOf(p.id) + " is there already", "unique numbers, 0 or more");
     }
+    if (delay > 0) entering.emplace(p.id, delay);
     append(particles, p);
     append(gas, {});
     append(rest, {});
@@ -150,6 +152,7 @@ void ParticleStore::remove(const std::vector<char>& marked)
         if (i < marked.size() && marked[i])
         {
             indexOf.erase(particles[i].id);
+            if (!entering.empty()) entering.erase(particles[i].id);
             rest[i] = RestState();
             count(i);
             continue;

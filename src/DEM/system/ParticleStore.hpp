@@ -35,6 +35,7 @@ struct ParticleStore
     std::vector<double> reach;              // of its contacts beyond touch [m]
     std::vector<std::vector<ContactRecord>> contacts;   // as the lower partner
     std::unordered_map<std::int64_t, std::size_t> indexOf;
+    std::unordered_map<std::int64_t, double> entering;      // by id, see delay()
     RestIndex index;                        // who moves, who rests
     Counts counts;
 
@@ -45,7 +46,15 @@ struct ParticleStore
 
     //- Errors: inputError on an id that makes no sense or is there already, and on numbers that
     //  are not finite
-    std::size_t add(const Particle& p, double reach);
+    std::size_t add(const Particle& p, double reach, double delay = 0);
+
+    //- It enters that long after the next advance() has begun [s]
+    double delay(std::size_t i) const
+    {
+        if (entering.empty()) return 0;
+        const auto found = entering.find(particles[i].id);
+        return found == entering.end() ? 0 : found->second;
+    }
 
     //- Change the motion from outside; its cluster wakes. Errors: inputError where not finite
     void setMotion(std::size_t i, const Vec3& x, const Vec3& v, const Vec3& omega);

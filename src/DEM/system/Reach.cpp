@@ -30,7 +30,8 @@ Path Reach::own(std::size_t i, double dt) const
     const Particle& p = store_.particles[i];
     const RestState& rest = store_.rest[i];
     Path path;
-    path.x = p.x;
+    // as if it had come along the way that it enters on
+    path.x = p.x - store_.delay(i)*p.v;
     path.size = p.radius + store_.reach[i];
     if (!store_.awake(i))
     {

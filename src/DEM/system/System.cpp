@@ -2,6 +2,7 @@
 #include "system/System.hpp"
 
 #include "particles/errors.hpp"
+#include "particles/finite.hpp"
 #include "system/Diagnostics.hpp"
 #include "system/ParticleStep.hpp"
 #include "system/ParticleStore.hpp"
@@ -25,7 +26,11 @@ const TimeSettings& checked(const TimeSettings& time)
             std::string("timeIntegration/") + keyword, "is " + std::to_string(value), allowed
         );
     };
-    if (!(time.stepsPerContact >= TimeSettings::fewestStepsPerContact))
+    if
+    (
+        !isFinite(time.stepsPerContact)
+     || !(time.stepsPerContact >= TimeSettings::fewestStepsPerContact)
+    )
     {
         refuse
         (
@@ -34,7 +39,7 @@ const TimeSettings& checked(const TimeSettings& time)
           + " (fewer do not resolve a collision; at pi and below the scheme is unstable)"
         );
     }
-    if (!(time.boundShare > 0 && time.boundShare <= 1))
+    if (!(isFinite(time.boundShare) && time.boundShare > 0 && time.boundShare <= 1))
     {
         refuse
         (
@@ -42,7 +47,7 @@ const TimeSettings& checked(const TimeSettings& time)
             "above 0, at most 1 (beyond the stability bound errors grow without limit)"
         );
     }
-    if (!(time.restTolerance >= 0))
+    if (!(isFinite(time.restTolerance) && time.restTolerance >= 0))
     {
         refuse("restTolerance", time.restTolerance, "zero or positive");
     }
@@ -53,7 +58,7 @@ const TimeSettings& checked(const TimeSettings& time)
 void check(const Particle& p, const MaterialTable& materials)
 {
     const std::string name = "particle " + std::to_string(p.id);
-    if (!(p.radius > 0 && std::isfinite(p.radius)))
+    if (!(isFinite(p.radius) && p.radius > 0))
     {
         throw inputError
         (
@@ -61,7 +66,7 @@ void check(const Particle& p, const MaterialTable& materials)
             "a positive number"
         );
     }
-    if (!(p.mass > 0 && std::isfinite(p.mass)))
+    if (!(isFinite(p.mass) && p.mass > 0))
     {
         throw inputError
         (
@@ -163,13 +168,17 @@ const Walls& System::walls() const { return impl_->walls.walls(); }
 std::size_t System::size() const { return impl_->store.size(); }
 
 
-std::size_t System::add(const Particle& p)
+std::size_t System::add(const Particle& p, double delay)
 {
+    if (!(delay >= 0 && std::isfinite(delay)))
+    {
+        throw inputError("delay", "is " + std::to_string(delay), "zero or a positive time [s]");
+    }
     check(p, materials());
     checkCurvature(walls(), p.radius, p.id);
     Particle inside = p;
     inside.x = impl_->periodic.wrapped(p.x);
-    return impl_->store.add(inside, materials().reach(p.material, p.radius, walls()));
+    return impl_->store.add(inside, materials().reach(p.material, p.radius, walls()), delay);
 }
 
 
@@ -219,7 +228,7 @@ void System::setGasLoad(std::size_t i, const GasLoad& load)
 {
     ParticleStore& store = impl_->store;
     store.checked(i);
-    if (!(load.Sp >= 0 && load.SpOmega >= 0) || !load.finite())
+    if (!(load.finite() && load.Sp >= 0 && load.SpOmega >= 0))
     {
         throw numericalError
         (
@@ -240,9 +249,18 @@ const GasLoad& System::gasLoad(std::size_t i) const
 
 StepReport System::advance(double dt)
 {
-    if (!(dt > 0 && std::isfinite(dt)))
+    if (!(isFinite(dt) && dt > 0))
     {
         throw inputError("dt", "is " + std::to_string(dt), "a positive time [s]");
+    }
+    for (const auto& entry : impl_->store.entering)
+    {
+        if (entry.second < dt) continue;
+        throw inputError
+        (
+            "delay", "particle " + std::to_string(entry.first) + " enters after the step",
+            "less than the particle step"
+        );
     }
     StepReport report;
     report.energy.kinetic = report.energy.gas = impl_->kicked;
@@ -289,34 +307,12 @@ std::vector<double> System::adhesionMargins() const
 std::vector<ClusterLabel> System::clusters() const { return impl_->diagnostics().clusters(); }
 
 
-double System::overlapAt(const Vec3& x, double radius, std::string& wallName) const
+Entrance System::entrance
+(
+    const Box& box, double dt, double largest, double fastest
+) const
 {
-    const Implementation& s = *impl_;
-    double largest = -1e300;
-    wallName.clear();
-    for (const Particle& p : s.store.particles)
-    {
-        largest = std::max
-        (
-            largest, radius + p.radius - s.periodic.nearest(p.x - x).norm()
-        );
-    }
-
-    // far walls do not matter: three radii will do
-    const double range = 3*radius;
-    std::vector<int> surfaces;
-    std::vector<WallHit> hits;
-    s.walls.query(x.array() - range, x.array() + range, surfaces);
-    s.walls.hits(x, range, surfaces.data(), surfaces.size(), hits);
-    for (const WallHit& h : hits)
-    {
-        if (radius - h.distance > largest)
-        {
-            largest = radius - h.distance;
-            wallName = walls().patchName(h.patch);
-        }
-    }
-    return largest;
+    return {impl_->store.particles, impl_->walls, impl_->periodic, box, dt, largest, fastest};
 }
 
 

@@ -17,6 +17,7 @@
 #pragma once
 
 #include "contacts/ContactView.hpp"
+#include "insertion/Entrance.hpp"
 #include "materials/ContactSettings.hpp"
 #include "materials/Material.hpp"
 #include "materials/MaterialTable.hpp"
@@ -74,8 +75,9 @@ public:
         std::size_t size() const;
 
         //- Errors: inputError on a diameter, density or id that makes no sense, or an id
-        //  that this rank has already
-        std::size_t add(const Particle& p);
+        //  that this rank has already. delay: it enters, at its place, that long after the next
+        //  advance() has begun [s]: nothing meets it before, and it moves for the rest of that
+        std::size_t add(const Particle& p, double delay = 0);
 
         //- Remove the marked particles (one flag per index) with their contacts, and close
         //  the gaps: afterwards the remaining ones keep their order. Contacts with a
@@ -146,9 +148,9 @@ public:
 
     // Insertion
 
-        //- Largest overlap [m] that a sphere placed at x would have with a wall or with a
-        //  particle of this rank; negative = free. wallName says which wall ("" = particle).
-        double overlapAt(const Vec3& x, double radius, std::string& wallName) const;
+        //- Whether there is room, among walls and particles of this rank, for new spheres in
+        //  this box within the next advance(), over dt [s]; none larger in radius or faster
+        Entrance entrance(const Box& box, double dt, double largest, double fastest) const;
 
 
     // Moving particles between ranks, and files

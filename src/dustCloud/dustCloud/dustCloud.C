@@ -21,8 +21,10 @@ License
 
 #include "dustCloudData.H"
 #include "dustSnapshot.H"
+#include "caseCheck.H"
 #include "modelTable.H"
 #include "patchWalls.H"
+#include "untrapped.H"
 
 #include "distributionModel.H"
 #include "IStringStream.H"
@@ -56,6 +58,7 @@ const Foam::word& Foam::dustCloud::checkInput
 {
     const fvMesh& mesh = rho.mesh();
 
+    autoPtr<untrapped> reading(new untrapped);
     const IOdictionary properties
     (
         IOobject
@@ -69,47 +72,17 @@ const Foam::word& Foam::dustCloud::checkInput
         )
     );
 
-    dustProperties::checkKeywords(properties, dustProperties::keywords());
+    reading.clear();
 
-    // Throws away what it reads: only the messages matter here
+    // Throws away what it reads: only the messages matter here. All keywords
+    // are checked by it.
     const dustProperties materials(properties);
 
     const dictionary& subModels = properties.subDict("subModels");
 
-    // OpenFOAM's models may have a sub-dictionary <model>Coeffs each
-    wordList subModelKeys
-    ({
-        "injectionModels", "particleForces", "dispersionModel",
-        "patchInteractionModel", "stochasticCollisionModel", "surfaceFilmModel"
-    });
-    for (const entry& e : subModels)
-    {
-        if (e.isDict() && e.keyword().endsWith("Coeffs"))
-        {
-            subModelKeys.append(e.keyword());
-        }
-    }
-    dustProperties::checkKeywords(subModels, subModelKeys);
-
-    for
-    (
-        const word model :
-        {"patchInteractionModel", "stochasticCollisionModel", "surfaceFilmModel"}
-    )
-    {
-        if (subModels.get<word>(model) != "none")
-        {
-            dustProperties::error
-            (
-                subModels,
-                model,
-                "contacts with walls and particles are the DEM system's",
-                "none"
-            );
-        }
-    }
-
+    caseCheck::density(properties, materials);
     modelTable::check(subModels, mesh);
+    caseCheck(subModels.subDict("injectionModels"), mesh).sizes();
     checkDispersion(subModels, U);
 
     for (const entry& e : subModels.subDict("injectionModels"))
@@ -119,58 +92,6 @@ const Foam::word& Foam::dustCloud::checkInput
             continue;
         }
         const dictionary& model = e.dict();
-
-        // One parcel is one particle
-        if (model.found("parcelBasisType"))
-        {
-            if (model.get<word>("parcelBasisType") != "fixed")
-            {
-                dustProperties::error
-                (
-                    model,
-                    "parcelBasisType",
-                    "each parcel is one particle",
-                    "fixed, with nParticle 1"
-                );
-            }
-            if (mag(model.get<scalar>("nParticle") - 1) > SMALL)
-            {
-                dustProperties::error
-                (
-                    model,
-                    "nParticle",
-                    "each parcel is one particle",
-                    "1"
-                );
-            }
-        }
-
-        const dictionary* sizesPtr = model.findDict("sizeDistribution");
-        if (sizesPtr)
-        {
-            const word type(sizesPtr->get<word>("type") + "Distribution");
-            const dictionary* valuesPtr = sizesPtr->findDict(type);
-
-            for (const word keyword : {"value", "minValue"})
-            {
-                scalar value;
-                if
-                (
-                    valuesPtr
-                 && valuesPtr->readIfPresent(keyword, value)
-                 && value <= 0
-                )
-                {
-                    dustProperties::error
-                    (
-                        *valuesPtr,
-                        keyword,
-                        "a diameter of " + Foam::name(value) + " m",
-                        "> 0 m"
-                    );
-                }
-            }
-        }
 
         if
         (
@@ -225,7 +146,7 @@ void Foam::dustCloud::checkGas() const
 {
     forAll(U_, celli)
     {
-        if (!std::isfinite(U_[celli].x() + U_[celli].y() + U_[celli].z()))
+        if (!dem::isFinite(toVec3(U_[celli])))
         {
             FatalErrorInFunction
                 << "Gas field " << U_.name() << " is not finite at time "
@@ -236,57 +157,57 @@ void Foam::dustCloud::checkGas() const
 }
 
 
-void Foam::dustCloud::addArrivals()
+void Foam::dustCloud::addArrival(dustParcel& p)
 {
+    dem::Particle particle;
+    particle.id = p.id();
+    particle.material = dem_->material;
+    particle.radius = 0.5*p.d();
+    particle.mass = p.mass();
+    particle.x = toVec3(p.x());
+    particle.v = toVec3(p.U());
+    particle.omega = toVec3(p.omega());
     dem::System& system = *dem_->system;
-
-    for (dustParcel& p : *this)
+    try
     {
-        if (p.demIndex() >= 0)
+        p.demIndex() = label(system.add(particle, max(-p.age(), scalar(0))));
+        p.loaded() = false;
+        unpackLoad(p);
+
+        if (p.blob().size())
         {
-            continue;
-        }
-
-        dem::Particle particle;
-        particle.id = p.id();
-        particle.material = dem_->material;
-        particle.radius = 0.5*p.d();
-        particle.mass = p.mass();
-        particle.x = toVec3(p.x());
-        particle.v = toVec3(p.U());
-        particle.omega = toVec3(p.omega());
-
-        try
-        {
-            p.demIndex() = label(system.add(particle));
-            p.loaded() = false;
-            unpackLoad(p);
-
-            if (p.blob().size())
+            const std::vector<int> gone = system.unpackState
+            (
+                std::size_t(p.demIndex()),
+                std::vector<double>(p.blob().begin(), p.blob().end()),
+                dem_->wallNow
+            );
+            for (const int wall : gone)
             {
-                const std::vector<int> gone = system.unpackState
-                (
-                    std::size_t(p.demIndex()),
-                    std::vector<double>(p.blob().begin(), p.blob().end()),
-                    dem_->wallNow
-                );
-                for (const int wall : gone)
-                {
-                    ++dem_->ended[wall];
-                }
-                p.blob().clear();
+                ++dem_->ended[wall];
             }
-        }
-        catch (const dem::inputError& e)
-        {
-            FatalErrorInFunction
-                << "Particle " << p.origProc() << ':' << p.origId() << " at "
-                << p.x() << ", diameter " << p.d() << " m, cannot be added: "
-                << e.what() << exit(FatalError);
+            p.blob().clear();
         }
     }
+    catch (const dem::inputError& e)
+    {
+        FatalErrorInFunction << "Particle " << p.origProc() << ':'
+            << p.origId() << " at " << p.x() << ", diameter " << p.d()
+            << " m, cannot be added: " << e.what() << exit(FatalError);
+    }
+}
 
-    leaving_.assign(system.size(), 0);
+
+void Foam::dustCloud::addArrivals()
+{
+    for (dustParcel& p : *this)
+    {
+        if (p.demIndex() < 0)
+        {
+            addArrival(p);
+        }
+    }
+    leaving_.assign(dem_->system->size(), 0);
 }
 
 
@@ -397,24 +318,8 @@ void Foam::dustCloud::decideCoupling()
     demData& d = *dem_;
     const dictionary& dict = particleProperties_;
 
-    const auto choice = [&dict](const word& keyword, const wordList& allowed)
-    {
-        const word value(dict.lookupOrDefault<word>(keyword, "auto"));
-        if (!allowed.found(value))
-        {
-            dustProperties::error
-            (
-                dict,
-                keyword,
-                "unknown value '" + value + "'",
-                dustProperties::listed(allowed)
-            );
-        }
-        return value;
-    };
-
-    d.coupling = choice("coupling", {"oneWay", "twoWay", "auto"});
-    d.gas = choice("gas", {"solved", "frozen", "auto"});
+    d.coupling = dict.lookupOrDefault<word>("coupling", "auto");
+    d.gas = dict.lookupOrDefault<word>("gas", "auto");
     d.massLoadingLimit =
         dict.lookupOrDefault<scalar>("couplingMassLoading", 0.02);
 
@@ -532,7 +437,7 @@ Foam::dustCloud::dustCloud
     );
     d.gasViscosity = gMax(mu_.primitiveField());
 
-    d.startTime = mesh_.time().value();
+    d.startTime = d.now = mesh_.time().value();
     d.progressInterval = particleProperties_.lookupOrDefault<scalar>
     (
         "progressInterval",
@@ -668,39 +573,34 @@ Foam::dustCloud::dustCloud
         }
     }
 
-    scalar rho0;
-    const dictionary constants
-    (
-        particleProperties_.subOrEmptyDict("constantProperties")
-    );
-    if
-    (
-        constants.readIfPresent("rho0", rho0)
-     && mag(rho0 - density_) > 1e-6*density_
-    )
-    {
-        dustProperties::error
-        (
-            constants,
-            "rho0",
-            "differs from the density of the material "
-          + d.properties.dustMaterial(),
-            Foam::name(density_) + ", or no rho0"
-        );
-    }
-
     decideCoupling();
 
     readWalls();
     findAgain();
-    d.system->setTime(mesh_.time().value());
     addArrivals();
     closeWalls();
+    prepareInsertion();
     prepareExchange();
 
     printMaterials();
     printPlan();
     warnOfDispersion();
+    caseCheck::calibration
+    (
+        particleProperties_.subDict("contact"),
+        d.properties.softening().ratio, d.properties.automaticRatio()
+    );
+    caseCheck::contactTime
+    (
+        d.system->materials(), d.material, d.diameters[1], d.gasSpeed,
+        d.gasViscosity
+    );
+    caseCheck(subModelProperties_.subDict("injectionModels"), mesh_).plan
+    (
+        returnReduce(this->size(), sumOp<label>()), d.diameters[1],
+        solution_.dict().lookupOrDefault<scalar>("deltaTMax", GREAT), U_,
+        !gasFrozen_
+    );
 }
 
 
@@ -792,6 +692,7 @@ void Foam::dustCloud::evolve(const scalar gasSeconds)
     }
 
     snapshotPtr_.reset();
+    escapedInStep_.clear();
     #if OPENFOAM >= 2006
     functions_.preEvolve(*tdPtr_);
     #else
@@ -821,7 +722,6 @@ void Foam::dustCloud::evolve(const scalar gasSeconds)
         forces_.cacheFields(false);
     }
     solution_.nextIter();
-
     const stopwatch checking;
     checkLimits();
     printProgress();

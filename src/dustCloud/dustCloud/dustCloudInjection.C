@@ -20,6 +20,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "dustCloudData.H"
+#include "dustPatchInjection.H"
 #include "modelTable.H"
 
 #include "OStringStream.H"
@@ -29,121 +30,157 @@ License
 #include "StochasticCollisionModel.H"
 #include "SurfaceFilmModel.H"
 
+#include <algorithm>
 #include <cstring>
-#include <unordered_map>
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
+// * * * * * * * * * * * * * * * Local Classes * * * * * * * * * * * * * * * //
 
 //- A parcel that wants to be added, as every rank knows it
-struct candidate
+struct Foam::dustCloud::candidate
 {
     point x;
     scalar d;
     scalar nParticle;
     label injector;
-    label numbered;     // has its identity already
+    label number;       // within this injection
+    label rank;         // on which it is
+    label index;        // there
 };
 
 
-//- Spheres in a grid of cells as wide as the largest: for overlaps among those
-//  that are added in the same step
-class sphereGrid
+//- What it overlaps
+struct Foam::dustCloud::obstacle
 {
-    scalar width_;
-    std::unordered_multimap<int64_t, std::pair<point, scalar>> spheres_;
-
-    int64_t key(const int64_t i, const int64_t j, const int64_t k) const
-    {
-        return (i*73856093) ^ (j*19349663) ^ (k*83492791);
-    }
-
-    int64_t cell(const scalar x) const
-    {
-        return int64_t(std::floor(x/width_));
-    }
-
-public:
-
-    explicit sphereGrid(const scalar width)
-    :
-        width_(max(width, VSMALL))
-    {}
-
-    void insert(const point& x, const scalar d)
-    {
-        spheres_.emplace
-        (
-            key(cell(x.x()), cell(x.y()), cell(x.z())),
-            std::make_pair(x, d)
-        );
-    }
-
-    //- Largest overlap with those inserted
-    scalar overlap(const point& x, const scalar d) const
-    {
-        scalar largest = -GREAT;
-        for (int i = -1; i <= 1; ++i)
-        {
-            for (int j = -1; j <= 1; ++j)
-            {
-                for (int k = -1; k <= 1; ++k)
-                {
-                    const auto range = spheres_.equal_range
-                    (
-                        key
-                        (
-                            cell(x.x()) + i,
-                            cell(x.y()) + j,
-                            cell(x.z()) + k
-                        )
-                    );
-                    for (auto s = range.first; s != range.second; ++s)
-                    {
-                        largest = max
-                        (
-                            largest,
-                            0.5*(d + s->second.second)
-                          - mag(x - s->second.first)
-                        );
-                    }
-                }
-            }
-        }
-        return largest;
-    }
+    scalar overlap;
+    string what;
 };
-
-} // End namespace Foam
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::dustCloud::inject(dustParcel::trackingData& td, const bool streams)
+void Foam::dustCloud::prepareInsertion()
+{
+    demData& d = *dem_;
+    d.insertion.reset(new dustInsertion(mesh_));
+
+    forAll(injectors_, injectori)
+    {
+        auto* ours = dynamic_cast<dustPatchInjection*>(&injectors_[injectori]);
+        if (ours && ours->active())
+        {
+            d.insertion->add(*ours, injectori);
+        }
+    }
+    d.insertion->check(gasFrozen_, mesh_.time().deltaTValue());
+}
+
+
+void Foam::dustCloud::insert(const scalar dt)
 {
     demData& d = *dem_;
     const stopwatch watch;
+    const auto newcomers =
+        d.insertion->enter(*d.system, d.periodic, d.now, dt);
 
+    DynamicList<dustParcel*> starting;
+    for (const dustInsertion::newcomer& n : newcomers)
+    {
+        ++injected_.count;
+        injected_.mass += density_*constant::mathematical::pi/6*pow3(n.d);
+        if (n.celli < 0)
+        {
+            continue;
+        }
+        dustParcel* pPtr = new dustParcel(mesh_, n.x, n.celli);
+        dustParcel& p = *pPtr;
+        p.typeId() = injectors_[n.injector].injectorID();
+        p.nParticle() = 1;
+        p.rho() = density_;
+        p.d() = n.d;
+        p.U() = n.U;
+        p.origProc() = n.injector + 1;
+        p.origId() = n.number;
+        p.state() = dustParcel::airborne;
+
+        // It is born later
+        p.age() = -n.delay;
+        addParticle(pPtr);
+        starting.append(pPtr);
+    }
+
+    if (newcomers.size())
+    {
+        settleStarts(starting);
+        if (Pstream::parRun())
+        {
+            // Some have gone to other ranks
+            addArrivals();
+        }
+        else
+        {
+            for (dustParcel* pPtr : starting)
+            {
+                addArrival(*pPtr);
+            }
+            leaving_.resize(d.system->size(), 0);
+        }
+    }
+    d.injectionSeconds += watch.seconds();
+}
+
+
+Foam::string Foam::dustCloud::leftOut() const
+{
+    const auto part = [](const label n, const char* why)
+    {
+        return n ? "; " + Foam::name(n) + why : string();
+    };
+    return
+        part(refused_.count, " refused at injection")
+      + part
+        (
+            dem_->insertion->withoutRoom(),
+            " left out for want of room at injection"
+        )
+      + part
+        (
+            dem_->insertion->withoutFlow(),
+            " left out: due while no gas flowed in"
+        );
+}
+
+
+bool Foam::dustCloud::callInjectors
+(
+    dustParcel::trackingData& td,
+    const bool streams
+)
+{
     // Which injector made which parcel; until it has a DEM particle, demIndex
     // holds -2 - injector
     td.relocating = false;
     td.displacing = streams;
+    bool any = false;
 
     forAll(injectors_, injectori)
     {
-        if (modelTable::streams(injectors_[injectori].modelType()) != streams)
+        auto& injector = injectors_[injectori];
+        if
+        (
+            isA<dustPatchInjection>(injector)
+         || modelTable::streams(injector.modelType()) != streams
+        )
         {
             continue;
         }
+        any = true;
 
         // Keyed, so that a restart goes on as if there had been none; and for
         // what is drawn for each parcel, see setParcelThermoProperties
         injectionKey_ = seed(injectori, mesh_.time().timeIndex(), 1);
         rndGen_ = Random(injectionKey_);
 
-        injectors_[injectori].inject(*this, td);
+        injector.inject(*this, td);
 
         for (dustParcel& p : *this)
         {
@@ -153,41 +190,27 @@ void Foam::dustCloud::inject(dustParcel::trackingData& td, const bool streams)
             }
         }
     }
-
     td.displacing = false;
+    return any;
+}
 
-    // Every rank decides on the parcels of all ranks, so that all agree
+
+Foam::List<Foam::dustCloud::candidate> Foam::dustCloud::gatherCandidates
+(
+    const UList<dustParcel*>& fresh
+) const
+{
     const label width = 7;
     DynamicList<scalar> mine;
-    DynamicList<dustParcel*> fresh;
-
-    for (dustParcel& p : *this)
+    for (const dustParcel* p : fresh)
     {
-        if (p.state() == dustParcel::fresh)
-        {
-            const label injectori = -2 - p.demIndex();
-            const bool numbered =
-                injectors_[injectori].modelType() == "dustPatchInjection";
-
-            if (numbered)
-            {
-                p.origProc() = injectori + 1;
-            }
-            fresh.append(&p);
-            mine.append(p.x().x());
-            mine.append(p.x().y());
-            mine.append(p.x().z());
-            mine.append(p.d());
-            mine.append(p.nParticle());
-            mine.append(injectori);
-            mine.append(numbered);
-        }
-    }
-
-    if (!returnReduce(mine.size(), sumOp<label>()))
-    {
-        d.injectionSeconds += watch.seconds();
-        return;
+        mine.append(p->x().x());
+        mine.append(p->x().y());
+        mine.append(p->x().z());
+        mine.append(p->d());
+        mine.append(p->nParticle());
+        mine.append(-2 - p->demIndex());
+        mine.append(p->origId());
     }
 
     List<scalarList> all(Pstream::nProcs());
@@ -200,15 +223,8 @@ void Foam::dustCloud::inject(dustParcel::trackingData& td, const bool streams)
     #endif
 
     DynamicList<candidate> candidates;
-    label myStart = 0;
-    scalar largest = 0;
-
     forAll(all, proci)
     {
-        if (proci == Pstream::myProcNo())
-        {
-            myStart = candidates.size();
-        }
         for (label i = 0; i < all[proci].size(); i += width)
         {
             const scalar* v = &all[proci][i];
@@ -217,33 +233,143 @@ void Foam::dustCloud::inject(dustParcel::trackingData& td, const bool streams)
                 candidate
                 {
                     point(v[0], v[1], v[2]), v[3], v[4], label(v[5]),
-                    label(v[6])
+                    label(v[6]), proci, i/width
                 }
             );
-            largest = max(largest, v[3]);
         }
     }
 
+    // As they would come on one rank
+    std::stable_sort
+    (
+        candidates.begin(),
+        candidates.end(),
+        [](const candidate& a, const candidate& b)
+        {
+            return
+                a.injector != b.injector
+              ? a.injector < b.injector
+              : a.number < b.number;
+        }
+    );
+    return List<candidate>(candidates);
+}
+
+
+Foam::List<Foam::dustCloud::obstacle> Foam::dustCloud::findObstacles
+(
+    const UList<candidate>& candidates
+) const
+{
+    boundBox box;
+    scalar largest = 0;
+    for (const candidate& c : candidates)
+    {
+        box.add(c.x);
+        largest = max(largest, 0.5*c.d);
+    }
+    const dem::Box places{toVec3(box.min()), toVec3(box.max())};
+    const dem::Entrance entrance
+    (
+        dem_->system->entrance(places, 0, largest, 0)
+    );
+
     // With walls and with the particles of every rank
-    scalarList overlaps(candidates.size());
-    List<string> whats(candidates.size());
+    scalarList mine(candidates.size());
+    List<obstacle> obstacles(candidates.size());
     forAll(candidates, i)
     {
-        std::string what;
-        overlaps[i] = d.system->overlapAt
-        (
-            toVec3(candidates[i].x),
-            0.5*candidates[i].d,
-            what
-        );
-        whats[i] = what;
+        const candidate& c = candidates[i];
+        std::string wall;
+        mine[i] = entrance.overlap(toVec3(c.x), 0.5*c.d, 0, wall);
+        obstacles[i].what =
+            wall.empty() ? "another particle" : "patch " + wall;
     }
-    scalarList myOverlaps(overlaps);
+    scalarList overlaps(mine);
     Pstream::listCombineGather(overlaps, maxEqOp<scalar>());
     Pstream::listCombineScatter(overlaps);
 
-    sphereGrid grid(largest);
+    forAll(obstacles, i)
+    {
+        obstacles[i].overlap = overlaps[i];
+        if (mine[i] < overlaps[i])
+        {
+            obstacles[i].what = "another particle";
+        }
+    }
+    return obstacles;
+}
+
+
+bool Foam::dustCloud::admitted
+(
+    const candidate& c,
+    const obstacle& o
+)
+{
+    const auto& injector = injectors_[c.injector];
+
+    if (mag(c.nParticle - 1) > 1e-9)
+    {
+        FatalErrorInFunction
+            << "Injector " << injector.modelName() << " made a parcel of "
+            << c.nParticle << " particles, but each parcel must be one:"
+            << " use parcelBasisType fixed and nParticle 1"
+            << exit(FatalError);
+    }
+
+    const bool free = o.overlap <= 0.01*c.d;
+    if (!free && injector.modelType() == "manualInjection")
+    {
+        OStringStream reason;
+        reason
+            << "the particle at " << c.x << ", diameter " << c.d
+            << " m, overlaps " << o.what.c_str() << " by " << o.overlap
+            << " m";
+        dustProperties::error
+        (
+            subModelProperties_.subDict("injectionModels")
+           .subDict(injector.modelName()),
+            "positionsFile",
+            reason.str(),
+            "overlaps of at most 1 % of the diameter"
+        );
+    }
+
+    tally& t = free ? injected_ : refused_;
+    ++t.count;
+    t.mass += density_*constant::mathematical::pi/6*pow3(c.d);
+    return free;
+}
+
+
+void Foam::dustCloud::admit
+(
+    const UList<candidate>& candidates,
+    const UList<dustParcel*>& fresh
+)
+{
+    const List<obstacle> obstacles(findObstacles(candidates));
     DynamicList<dustParcel*> starting;
+
+    // Those of this injection among themselves
+    static const std::vector<dem::Particle> nobody;
+    static const dem::WallSearch noWalls{dem::Walls()};
+    scalar largest = 0;
+    for (const candidate& c : candidates)
+    {
+        largest = max(largest, 0.5*c.d);
+    }
+    dem::Entrance among
+    (
+        nobody,
+        noWalls,
+        dem_->periodic,
+        {dem::Vec3::Zero(), dem::Vec3::Zero()},
+        0,
+        largest,
+        0
+    );
 
     forAll(candidates, i)
     {
@@ -251,58 +377,19 @@ void Foam::dustCloud::inject(dustParcel::trackingData& td, const bool streams)
 
         // Only on its own rank
         dustParcel* pPtr =
-            i >= myStart && i < myStart + fresh.size()
-          ? fresh[i - myStart]
-          : nullptr;
+            c.rank == Pstream::myProcNo() ? fresh[c.index] : nullptr;
 
-        const auto& injector = injectors_[c.injector];
-
-        if (mag(c.nParticle - 1) > 1e-9)
+        obstacle o(obstacles[i]);
+        std::string wall;
+        const scalar other = among.overlap(toVec3(c.x), 0.5*c.d, 0, wall);
+        if (other > o.overlap)
         {
-            FatalErrorInFunction
-                << "Injector " << injector.modelName() << " made a parcel of "
-                << c.nParticle << " particles, but each parcel must be one:"
-                << " use parcelBasisType fixed and nParticle 1"
-                << exit(FatalError);
+            o.overlap = other;
+            o.what = "another particle of the same injection";
         }
 
-        scalar overlap = overlaps[i];
-        string what =
-            myOverlaps[i] == overlap && whats[i].size()
-          ? "patch " + whats[i]
-          : string("another particle");
-
-        const scalar among = grid.overlap(c.x, c.d);
-        if (among > overlap)
+        if (!admitted(c, o))
         {
-            overlap = among;
-            what = "another particle of the same injection";
-        }
-
-        const scalar mass =
-            density_*constant::mathematical::pi/6*pow3(c.d);
-
-        if (overlap > 0.01*c.d)
-        {
-            if (injector.modelType() == "manualInjection")
-            {
-                OStringStream reason;
-                reason
-                    << "the particle at " << c.x << ", diameter " << c.d
-                    << " m, overlaps " << what.c_str() << " by " << overlap
-                    << " m";
-                dustProperties::error
-                (
-                    subModelProperties_.subDict("injectionModels")
-                   .subDict(injector.modelName()),
-                    "positionsFile",
-                    reason.str(),
-                    "overlaps of at most 1 % of the diameter"
-                );
-            }
-            ++refused_.count;
-            refused_.mass += mass;
-
             if (pPtr)
             {
                 deleteParticle(*pPtr);
@@ -310,29 +397,48 @@ void Foam::dustCloud::inject(dustParcel::trackingData& td, const bool streams)
             continue;
         }
 
-        grid.insert(c.x, c.d);
-        ++injected_.count;
-        injected_.mass += mass;
-
+        among.enter(toVec3(c.x), dem::Vec3::Zero(), 0.5*c.d, 0);
         if (pPtr)
         {
-            if (!c.numbered)
-            {
-                pPtr->origProc() = 0;
-                pPtr->origId() = nextId_;
-            }
+            pPtr->origProc() = 0;
+            pPtr->origId() = nextId_;
             pPtr->state() = dustParcel::airborne;
             pPtr->demIndex() = -1;
             starting.append(pPtr);
         }
-        if (!c.numbered)
-        {
-            ++nextId_;
-        }
+        ++nextId_;
     }
 
     settleStarts(starting);
     addArrivals();
+}
+
+
+void Foam::dustCloud::inject(dustParcel::trackingData& td, const bool streams)
+{
+    demData& d = *dem_;
+    const stopwatch watch;
+
+    if (!callInjectors(td, streams))
+    {
+        return;
+    }
+
+    // Every rank decides on the parcels of all ranks, so that all agree
+    DynamicList<dustParcel*> fresh;
+    for (dustParcel& p : *this)
+    {
+        if (p.state() == dustParcel::fresh)
+        {
+            fresh.append(&p);
+        }
+    }
+    if (!returnReduce(fresh.size(), sumOp<label>()))
+    {
+        d.injectionSeconds += watch.seconds();
+        return;
+    }
+    admit(gatherCandidates(fresh), fresh);
 
     if (streams && Pstream::parRun())
     {
@@ -370,23 +476,6 @@ void Foam::dustCloud::setParcelThermoProperties
     static_assert(sizeof(key) >= sizeof(lagrangianDt), "32 bit each at least");
     std::memcpy(key, &lagrangianDt, sizeof(lagrangianDt));
     rndGen_ = Random(seed(injectionKey_, key[0], key[1]));
-}
-
-
-Foam::scalar Foam::dustCloud::overlapAt
-(
-    const point& x,
-    const scalar d,
-    word& what
-) const
-{
-    std::string wall;
-    const scalar mine = dem_->system->overlapAt(toVec3(x), 0.5*d, wall);
-    const scalar overlap = returnReduce(mine, maxOp<scalar>());
-
-    what = mine == overlap && wall.size() ? word(wall) : "another particle";
-
-    return overlap;
 }
 
 

@@ -21,7 +21,6 @@ License
 
 #include "dustCloudData.H"
 #include "brownianMotion.H"
-#include "cellCrossing.H"
 #include "cellWall.H"
 #include "gasLoads.H"
 #include "startCells.H"
@@ -51,42 +50,6 @@ static point justInside(const polyMesh& mesh, const point& x, const label celli)
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-Foam::scalar Foam::dustCloud::particleStepLimit() const
-{
-    const demData& d = *dem_;
-    const scalar maxCo = solution_.maxCo();
-    scalar limit = solution_.dict().lookupOrDefault<scalar>("deltaTMax", GREAT);
-
-    for (const dustParcel& p : *this)
-    {
-        if (p.state() == dustParcel::resting)
-        {
-            continue;
-        }
-        if (d.brownian && p.state() <= dustParcel::airborne)
-        {
-            limit = min
-            (
-                limit,
-                d.brownian->longestStep(p, tdPtr_(), U_[p.cell()], maxCo)
-            );
-            continue;
-        }
-
-        scalar rate = cellCrossing(mesh_, p.cell(), p.U());
-
-        // A particle that follows the gas may be as fast as the gas is
-        rate = max(rate, cellCrossing(mesh_, p.cell(), U_[p.cell()]));
-        if (rate > VSMALL)
-        {
-            limit = min(limit, maxCo/rate);
-        }
-    }
-
-    return returnReduce(limit, minOp<scalar>());
-}
-
 
 void Foam::dustCloud::setGasLoads
 (
@@ -131,19 +94,22 @@ void Foam::dustCloud::setGasLoads
           : td.UInterp().interpolate(p.coordinates(), tets);
         const vector Umean = td.Uc();
 
+        // Of those that enter, what is left of it
+        const scalar flown = min(dt, dt + p.age());
+
         if (d.dispersion)
         {
-            td.Uc() += fluctuation(p, td, dt, subStep);
+            td.Uc() += fluctuation(p, td, flown, subStep);
         }
 
-        gasLoads loads(forces_, p, td, dt, drags);
+        gasLoads loads(forces_, p, td, flown, drags);
         const forceSuSp& coupled = loads.coupled();
         const vector Su = coupled.Su() + loads.nonCoupled().Su();
 
         if
         (
-            !std::isfinite(coupled.Sp() + magSqr(Su) + magSqr(td.Uc()))
-         || coupled.Sp() < 0
+            !dem::isFinite(coupled.Sp()) || !dem::isFinite(toVec3(Su))
+         || !dem::isFinite(toVec3(td.Uc())) || coupled.Sp() < 0
         )
         {
             FatalErrorInFunction
@@ -204,11 +170,12 @@ void Foam::dustCloud::takeMotion
         {
             // In the cell where the step began
             const dem::GasExchange& e = system.gasExchange(index);
+            const scalar flown = min(dt, dt + p.age());
             place.moveTo(p.x(), p.cell());
             exchangePtr_->give
             (
                 place,
-                toVector(e.impulse) + kick - dt*nonCoupled[i]
+                toVector(e.impulse) + kick - flown*nonCoupled[i]
             );
             p.response() = p.response()*e.memory + e.response;
             p.held() = e.held;
@@ -407,19 +374,20 @@ void Foam::dustCloud::motion(dustParcel::trackingData& td)
     }
     d.gasStep = dem::StepReport();
 
-    scalar left = solution_.trackTime();
-
     // Not the sum of all steps: a restarted run must have the same time
-    d.system->setTime(mesh_.time().value() - left);
-
-    for (label subStep = 0; left > 0; ++subStep)
+    const scalar end = mesh_.time().value();
+    d.now = end - solution_.trackTime();
+    if (!gasFrozen_)
     {
-        // Equal steps for what is left, as few as the limit allows. The
-        // limit may differ in its last bits between decompositions.
-        const scalar n =
-            max(scalar(1), std::ceil(left/particleStepLimit() - 1e-6));
-        const scalar dt = left/n;
-        left = n > 1 ? left - dt : 0;
+        d.insertion->newGas(end);
+    }
+
+    for (label subStep = 0; d.now < end; ++subStep)
+    {
+        const scalar left = end - d.now;
+        const scalar dt = nextParticleStep(left);
+        d.system->setTime(d.now);
+        insert(dt);
 
         const stopwatch forcing;
         setGasLoads(td, dt, subStep, nonCoupled);
@@ -456,6 +424,7 @@ void Foam::dustCloud::motion(dustParcel::trackingData& td)
             addArrivals();
         }
         d.trackSeconds += tracking.seconds();
+        d.now = dt < left ? d.now + dt : end;
     }
 
     d.totals.add(d.gasStep);
@@ -473,6 +442,20 @@ void Foam::dustCloud::countEscapes()
             returnReduce(escaping_[patchi].mass, sumOp<scalar>());
     }
     escaping_ = tally();
+
+    List<scalarList> diameters(Pstream::nProcs());
+    diameters[Pstream::myProcNo()] = escapingDiameters_;
+    #if OPENFOAM >= 2206
+    Pstream::allGatherList(diameters);
+    #else
+    Pstream::gatherList(diameters);
+    Pstream::scatterList(diameters);
+    #endif
+    escapingDiameters_.clear();
+    for (const scalarList& ofRank : diameters)
+    {
+        escapedInStep_.append(ofRank);
+    }
 }
 
 
@@ -547,6 +530,7 @@ void Foam::dustCloud::noteEscape(dustParcel& p, const label patchi)
 {
     ++escaping_[patchi].count;
     escaping_[patchi].mass += p.mass();
+    escapingDiameters_.append(p.d());
 
     if (p.demIndex() >= 0)
     {

@@ -1002,10 +1002,7 @@ void Foam::dustCloud::summarise()
     {
         Info<< "; NOTHING WAS INJECTED";
     }
-    if (refused_.count)
-    {
-        Info<< "; " << refused_.count << " refused at injection";
-    }
+    Info<< leftOut().c_str();
     const bool within =
         !d.marginSteps && !d.overlapSteps && !d.ratioBelowLimit;
     if (within)

@@ -20,6 +20,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "dustProperties.H"
+#include "dustKeywords.H"
 #include "Switch.H"
 #include "stringOps.H"
 #include "error.H"
@@ -51,31 +52,6 @@ static void fatal
     )   << message.c_str() << exit(FatalIOError);
 }
 
-
-//- Read one of a few words
-static word choice
-(
-    const dictionary& dict,
-    const word& keyword,
-    const word& defaultValue,
-    const wordList& allowed
-)
-{
-    const word value(dict.lookupOrDefault<word>(keyword, defaultValue));
-
-    if (!allowed.found(value))
-    {
-        dustProperties::error
-        (
-            dict,
-            keyword,
-            "unknown value '" + value + "'",
-            dustProperties::listed(allowed)
-        );
-    }
-    return value;
-}
-
 } // End namespace Foam
 
 
@@ -88,25 +64,7 @@ void Foam::dustProperties::readMaterials()
 
     for (const entry& e : materials)
     {
-        if (!e.isDict())
-        {
-            error
-            (
-                materials,
-                e.keyword(),
-                "is not a material",
-                "name { density ...; youngsModulus ...; poissonRatio ...; "
-                "surfaceEnergy ...; }"
-            );
-        }
-
         const dictionary& dict = e.dict();
-
-        checkKeywords
-        (
-            dict,
-            {"density", "youngsModulus", "poissonRatio", "surfaceEnergy"}
-        );
 
         dem::Material m;
         m.name = e.keyword();
@@ -119,11 +77,6 @@ void Foam::dustProperties::readMaterials()
         if (dict.found("density"))
         {
             withDensity.append(e.keyword());
-
-            if (m.density <= 0)
-            {
-                error(dict, "density", "must be positive", "> 0 kg/m3");
-            }
         }
     }
 
@@ -171,19 +124,6 @@ dem::PartSettings Foam::dustProperties::readPart
     dem::PartSettings part;
 
     const entry* ePtr = dict.findEntry(kind, keyType::LITERAL);
-    wordList models;
-
-    for (const dem::PartEntry& known : dem::contactModelTable())
-    {
-        if (known.kind == kind)
-        {
-            models.append(word(known.model));
-        }
-    }
-    if (kind != "normal" && !models.found("none"))
-    {
-        models.append("none");
-    }
 
     if (!ePtr)
     {
@@ -192,8 +132,7 @@ dem::PartSettings Foam::dustProperties::readPart
             dict,
             kind,
             "is missing",
-            "model " + listed(models) + ", e.g. " + kind + " { model "
-          + models[0] + "; ... }"
+            kind + " { model ...; }, or " + kind + " none;"
         );
     }
 
@@ -201,67 +140,25 @@ dem::PartSettings Foam::dustProperties::readPart
     if (!ePtr->isDict())
     {
         part.model = word(ePtr->stream());
+        return part;
+    }
 
-        if (part.model != "none")
+    const dictionary& partDict = ePtr->dict();
+    part.model = partDict.get<word>("model");
+
+    for (const entry& e : partDict)
+    {
+        if (e.keyword() == "model")
         {
-            error
-            (
-                dict,
-                kind,
-                "'" + part.model + "' is not a sub-dictionary",
-                kind + " { model ...; }"
-              + (kind == "normal" ? "" : " or " + kind + " none;")
-            );
+            continue;
         }
-    }
-    else
-    {
-        part.model = ePtr->dict().get<word>("model");
-    }
-
-    if (!models.found(part.model))
-    {
-        error
-        (
-            ePtr->isDict() ? ePtr->dict() : dict,
-            ePtr->isDict() ? "model" : kind,
-            "unknown " + kind + " model '" + part.model + "'",
-            listed(models)
-        );
-    }
-
-    if (ePtr->isDict())
-    {
-        const dictionary& partDict = ePtr->dict();
-        wordList keywords({"model"});
-
-        for (const dem::PartEntry& known : dem::contactModelTable())
+        if (e.stream()[0].isWord())
         {
-            if (known.kind == kind && known.model == part.model)
-            {
-                for (const std::string& keyword : known.keywords)
-                {
-                    keywords.append(word(keyword));
-                }
-            }
+            part.words[e.keyword()] = e.stream()[0].wordToken();
         }
-
-        checkKeywords(partDict, keywords);
-
-        for (const entry& e : partDict)
+        else
         {
-            if (e.keyword() == "model")
-            {
-                continue;
-            }
-            if (e.isStream() && e.stream().size() == 1 && e.stream()[0].isWord())
-            {
-                part.words[e.keyword()] = e.stream()[0].wordToken();
-            }
-            else
-            {
-                part.values[e.keyword()] = partDict.get<scalar>(e.keyword());
-            }
+            part.values[e.keyword()] = partDict.get<scalar>(e.keyword());
         }
     }
 
@@ -274,15 +171,6 @@ dem::ContactSettings Foam::dustProperties::readContactSettings
     const dictionary& dict
 )
 {
-    checkKeywords
-    (
-        dict,
-        {
-            "normal", "tangential", "rolling", "twisting",
-            "effectiveYoungsModulus", "surfaceEnergy"
-        }
-    );
-
     dem::ContactSettings settings;
     settings.normal = readPart(dict, "normal");
     settings.tangential = readPart(dict, "tangential");
@@ -390,66 +278,27 @@ void Foam::dustProperties::readReducedStiffness()
 {
     const dictionary& dict = dict_.subOrEmptyDict("reducedStiffness");
 
-    checkKeywords(dict, {"ratio", "surfaceEnergy", "resistance", "limits"});
-
     if (dict.found("ratio"))
     {
         const token ratio(dict.lookup("ratio"));
-
-        if (ratio.isWord() && ratio.wordToken() == "auto")
-        {
-            automaticRatio_ = true;
-        }
-        else if (!ratio.isNumber())
-        {
-            error(dict, "ratio", "is not a number", "0 < ratio <= 1, or auto");
-        }
-        else
-        {
-            softening_.ratio = ratio.number();
-
-            if (!(softening_.ratio > 0 && softening_.ratio <= 1))
-            {
-                error
-                (
-                    dict,
-                    "ratio",
-                    "chi = E_mod/E is " + Foam::name(softening_.ratio),
-                    "0 < ratio <= 1, or auto"
-                );
-            }
-        }
+        automaticRatio_ = ratio.isWord();
+        softening_.ratio = automaticRatio_ ? 1 : ratio.number();
     }
 
     softening_.scaleSurfaceEnergy =
-        choice(dict, "surfaceEnergy", "scaled", {"scaled", "unchanged"})
-     == "scaled";
+        dict.lookupOrDefault<word>("surfaceEnergy", "scaled") == "scaled";
 
     softening_.scaleResistance =
-        choice(dict, "resistance", "original", {"original", "scaled"})
-     == "scaled";
+        dict.lookupOrDefault<word>("resistance", "original") == "scaled";
 
     const dictionary& limits = dict.subOrEmptyDict("limits");
 
-    checkKeywords
-    (
-        limits,
-        {"pullOffOverForce", "overlap", "ratio", "onViolation"}
-    );
-
-    const auto positive = [&limits](const word& keyword, scalar& value)
-    {
-        if (limits.readIfPresent(keyword, value) && value <= 0)
-        {
-            error(limits, keyword, "is " + Foam::name(value), "> 0");
-        }
-    };
-    positive("pullOffOverForce", limits_.pullOffOverForce);
-    positive("overlap", limits_.overlap);
-    positive("ratio", limits_.ratio);
+    limits.readIfPresent("pullOffOverForce", limits_.pullOffOverForce);
+    limits.readIfPresent("overlap", limits_.overlap);
+    limits.readIfPresent("ratio", limits_.ratio);
 
     limits_.stop =
-        choice(limits, "onViolation", "warn", {"warn", "stop"}) == "stop";
+        limits.lookupOrDefault<word>("onViolation", "warn") == "stop";
 }
 
 
@@ -457,38 +306,10 @@ void Foam::dustProperties::readTimeIntegration()
 {
     const dictionary& dict = dict_.subOrEmptyDict("timeIntegration");
 
-    checkKeywords
-    (
-        dict,
-        {"stepsPerContact", "restTolerance", "islands", "energyLedger"}
-    );
-
     dict.readIfPresent("stepsPerContact", time_.stepsPerContact);
     dict.readIfPresent("restTolerance", time_.restTolerance);
     time_.islands = dict.lookupOrDefault<Switch>("islands", true);
     time_.energyLedger = dict.lookupOrDefault<Switch>("energyLedger", false);
-
-    const scalar fewest = dem::TimeSettings::fewestStepsPerContact;
-    if (!(time_.stepsPerContact >= fewest))
-    {
-        error
-        (
-            dict,
-            "stepsPerContact",
-            "is " + Foam::name(time_.stepsPerContact),
-            ">= " + Foam::name(fewest) + "; 34 is usual, 136 is fine"
-        );
-    }
-    if (time_.restTolerance < 0)
-    {
-        error
-        (
-            dict,
-            "restTolerance",
-            "is " + Foam::name(time_.restTolerance),
-            ">= 0; 0 = nothing ever rests"
-        );
-    }
 }
 
 
@@ -499,6 +320,8 @@ Foam::dustProperties::dustProperties(const dictionary& dict)
     dict_(dict),
     automaticRatio_(false)
 {
+    dustKeywords::check(dict);
+
     readMaterials();
     readContact();
     readReducedStiffness();
@@ -525,21 +348,6 @@ dem::MaterialTable Foam::dustProperties::table() const
         error(dict_, e);
         throw;      // not reached
     }
-}
-
-
-Foam::wordList Foam::dustProperties::keywords()
-{
-    return
-    {
-        "FoamFile",
-        // read here
-        "materials", "dustMaterial", "patchMaterials", "patchCurvature",
-        "contact", "reducedStiffness", "timeIntegration",
-        // read by the cloud
-        "coupling", "gas", "couplingMassLoading", "progressInterval",
-        "solution", "constantProperties", "subModels", "cloudFunctions"
-    };
 }
 
 
@@ -570,7 +378,8 @@ void Foam::dustProperties::checkKeywords
                 e.startLineNumber(),
                 e.endLineNumber(),
                 "unknown keyword '" + e.keyword() + "' in " + dict.dictName()
-              + "\n    allowed: " + listed(valid)
+              + "\n    allowed: "
+              + (valid.empty() ? string("no keyword") : listed(valid))
             );
         }
     }

@@ -3,6 +3,7 @@
 // What is refused on input and with which words; mixing rules and constants of pairs of
 // materials; reduced stiffness.
 #include "contactModels/contactModel/ContactLaw.hpp"
+#include "floatingTraps.hpp"
 #include "scene.hpp"
 
 #include <functional>
@@ -108,9 +109,9 @@ TEST(contactInput, unknownKeywordListsTheKnownOnes)
         EXPECT_TRUE(contains(e.keyword, entry.kind + "/"));
         // the first unknown word in the alphabet is named: an old one or the new one
         EXPECT_FALSE(e.allowed.empty());
-        for (const std::string& known : entry.keywords)
+        for (const dem::PartKeyword& known : entry.keywords)
         {
-            EXPECT_TRUE(contains(e.allowed, known)) << known;
+            EXPECT_TRUE(contains(e.allowed, known.name)) << known.name;
         }
     }
 }
@@ -167,6 +168,7 @@ TEST(contactInput, ranges)
         {"rolling", "criticalAngle", -0.1}, {"rolling", "criticalAngle", 100},
         {"rolling", "adhesionHysteresis", -0.1}, {"rolling", "rollingDamping", -1}
     };
+    const FloatingTraps traps;
     for (const Bad& b : bad)
     {
         SCOPED_TRACE(std::string(b.part) + "/" + b.keyword + " " + scene::text(b.value));

@@ -58,7 +58,8 @@ const std::map<std::string, std::vector<std::string>> words
 
 dem::PartSettings sample(const dem::PartEntry& entry, const Scale& scale, Random& random)
 {
-    std::set<std::string> taken(entry.keywords.begin(), entry.keywords.end());
+    std::set<std::string> taken;
+    for (const dem::PartKeyword& k : entry.keywords) taken.insert(k.name);
     for (const auto& group : alternatives)
     {
         const bool all = taken.count(group[0]) && taken.count(group[1]);

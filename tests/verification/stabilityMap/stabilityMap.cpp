@@ -153,7 +153,7 @@ const std::vector<std::string> alternatives[] =
 dem::PartSettings sample(const dem::PartEntry& entry, const Scale& scale, Random& random)
 {
     std::map<std::string, bool> taken;
-    for (const std::string& k : entry.keywords) taken[k] = true;
+    for (const dem::PartKeyword& k : entry.keywords) taken[k.name] = true;
     for (const auto& group : alternatives)
     {
         const bool all = taken.count(group[0]) && taken.count(group[1]);

@@ -3,6 +3,7 @@
 
 #include "contactModels/contactModel/NormalResponse.hpp"
 #include "particles/errors.hpp"
+#include "particles/finite.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -36,26 +37,56 @@ PartInput::PartInput
 (
     std::string kind,
     const PartSettings& settings,
-    const std::vector<std::string>& known
+    std::vector<PartKeyword> known
 )
 :
     kind_(std::move(kind)),
-    settings_(settings)
+    settings_(settings),
+    known_(std::move(known))
 {
+    std::vector<std::string> names;
+    for (const PartKeyword& k : known_) names.push_back(k.name);
+
     const auto check = [&](const std::string& keyword)
     {
-        if (std::find(known.begin(), known.end(), keyword) == known.end())
+        if (!row(keyword))
         {
             throw inputError
             (
                 kind_ + "/" + keyword,
                 "unknown keyword of model " + settings_.model,
-                known.empty() ? "no keyword" : listed(known)
+                known_.empty() ? "no keyword" : listed(names)
             );
         }
     };
     for (const auto& entry : settings_.values) check(entry.first);
     for (const auto& entry : settings_.words) check(entry.first);
+}
+
+
+std::vector<PartKeyword> PartInput::dashpot()
+{
+    return
+    {
+        {
+            "restitution", "-", "or dampingCoefficient", 0.01, 1, {},
+            "of impacts without adhesion"
+        },
+        {
+            "dampingCoefficient", "-", "or restitution", 0, 2, {},
+            "alpha, the share of critical damping times 5^(1/2)"
+        }
+    };
+}
+
+
+const PartKeyword* PartInput::row(const std::string& keyword) const
+{
+    for (const PartKeyword& k : known_)
+    {
+        if (k.name == keyword) return &k;
+    }
+    return nullptr;
 }
 
 
@@ -65,10 +96,11 @@ bool PartInput::has(const std::string& keyword) const
 }
 
 
-double PartInput::get(const std::string& keyword, double low, double high) const
+double PartInput::get(const std::string& keyword) const
 {
+    const PartKeyword& known = *row(keyword);
     std::ostringstream range;
-    range << "a number from " << low << " to " << high;
+    range << "a number from " << known.low << " to " << known.high;
 
     const auto found = settings_.values.find(keyword);
     if (found == settings_.values.end())
@@ -82,7 +114,7 @@ double PartInput::get(const std::string& keyword, double low, double high) const
             range.str()
         );
     }
-    if (!(found->second >= low && found->second <= high))
+    if (!(isFinite(found->second) && found->second >= known.low && found->second <= known.high))
     {
         std::ostringstream given;
         given << "is " << found->second;
@@ -92,20 +124,15 @@ double PartInput::get(const std::string& keyword, double low, double high) const
 }
 
 
-double PartInput::getOr
-(
-    const std::string& keyword, double low, double high, double otherwise
-) const
+double PartInput::getOr(const std::string& keyword, double otherwise) const
 {
-    return has(keyword) ? get(keyword, low, high) : otherwise;
+    return has(keyword) ? get(keyword) : otherwise;
 }
 
 
-std::string PartInput::word
-(
-    const std::string& keyword, const std::vector<std::string>& allowed
-) const
+std::string PartInput::word(const std::string& keyword) const
 {
+    const std::vector<std::string>& allowed = row(keyword)->words;
     const auto found = settings_.words.find(keyword);
     if
     (
@@ -140,8 +167,8 @@ double PartInput::dampingRatio() const
     }
     return
         e
-      ? dem::dampingRatio(get("restitution", 0.01, 1))
-      : get("dampingCoefficient", 0, 2)/std::sqrt(5.0);
+      ? dem::dampingRatio(get("restitution"))
+      : get("dampingCoefficient")/std::sqrt(5.0);
 }
 
 }

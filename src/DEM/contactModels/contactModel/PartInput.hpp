@@ -3,6 +3,7 @@
 // How a part of a contact law reads its numbers.
 #pragma once
 
+#include "contactModels/contactModel/PartKeyword.hpp"
 #include "materials/ContactSettings.hpp"
 
 #include <string>
@@ -21,21 +22,21 @@ public:
     (
         std::string kind,
         const PartSettings& settings,
-        const std::vector<std::string>& known
+        std::vector<PartKeyword> known
     );
+
+    //- What dampingRatio() reads
+    static std::vector<PartKeyword> dashpot();
 
     bool has(const std::string& keyword) const;
 
-    //- Errors: inputError where missing or outside [low, high]
-    double get(const std::string& keyword, double low, double high) const;
+    //- Errors: inputError where missing or outside its range
+    double get(const std::string& keyword) const;
 
-    double getOr
-    (
-        const std::string& keyword, double low, double high, double otherwise
-    ) const;
+    double getOr(const std::string& keyword, double otherwise) const;
 
-    //- One of these words. Errors: inputError where missing or another
-    std::string word(const std::string& keyword, const std::vector<std::string>& allowed) const;
+    //- One of its words. Errors: inputError where missing or another
+    std::string word(const std::string& keyword) const;
 
     //- beta of the dashpot, from `restitution` in (0, 1] or `dampingCoefficient` alpha
     //  (beta = alpha/sqrt(5)); exactly one of the two must be given.
@@ -45,8 +46,11 @@ public:
 
 private:
 
+    const PartKeyword* row(const std::string& keyword) const;
+
     std::string kind_;
     const PartSettings& settings_;
+    std::vector<PartKeyword> known_;
 };
 
 }

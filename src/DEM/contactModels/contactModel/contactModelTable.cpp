@@ -36,7 +36,7 @@ struct NormalRow
 {
     const char* model;
     std::unique_ptr<ContactLaw> (*make)(const ContactSettings&);
-    std::vector<std::string> (*keywords)();
+    std::vector<PartKeyword> (*keywords)();
 };
 
 template<class Normal>
@@ -116,10 +116,13 @@ const std::vector<PartEntry>& contactModelTable()
 ContactSettings withoutAdhesion(ContactSettings s)
 {
     s.normal.model = normal::Hertz::model;
-    const std::vector<std::string> known = normal::Hertz::keywords();
+    const std::vector<PartKeyword> known = normal::Hertz::keywords();
     for (auto v = s.normal.values.begin(); v != s.normal.values.end();)
     {
-        const bool kept = std::find(known.begin(), known.end(), v->first) != known.end();
+        const bool kept = std::any_of(known.begin(), known.end(), [&](const PartKeyword& k)
+        {
+            return k.name == v->first;
+        });
         v = kept ? std::next(v) : s.normal.values.erase(v);
     }
     s.rolling = PartSettings();

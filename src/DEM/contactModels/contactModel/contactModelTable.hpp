@@ -4,6 +4,7 @@
 // needs to refuse unknown words with the list of known ones.
 #pragma once
 
+#include "contactModels/contactModel/PartKeyword.hpp"
 #include "materials/ContactSettings.hpp"
 
 #include <string>
@@ -16,7 +17,7 @@ struct PartEntry
 {
     std::string kind;                       // normal | tangential | rolling | twisting
     std::string model;                      // keyword, file name and class name
-    std::vector<std::string> keywords;      // all that it reads
+    std::vector<PartKeyword> keywords;      // all that it reads
 };
 
 //- Every part that can be chosen

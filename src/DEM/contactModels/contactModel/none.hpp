@@ -19,7 +19,7 @@ struct none
     static constexpr int nConstants = 0;
     static constexpr int nHistory = 0;
 
-    static std::vector<std::string> keywords() { return {}; }
+    static std::vector<PartKeyword> keywords() { return {}; }
 
     struct Parameters {};
     static Parameters read(const PartInput&) { return {}; }

@@ -29,7 +29,7 @@ struct DMT
     static constexpr int nConstants = Hertz::nConstants + 3;
     static constexpr int nHistory = 0;
 
-    static std::vector<std::string> keywords() { return Hertz::keywords(); }
+    static std::vector<PartKeyword> keywords() { return Hertz::keywords(); }
 
     using Parameters = Hertz::Parameters;
     static Parameters read(const PartInput& input) { return Hertz::read(input); }

@@ -37,9 +37,9 @@ struct Hertz
     static constexpr int nConstants = 3;
     static constexpr int nHistory = 0;
 
-    static std::vector<std::string> keywords()
+    static std::vector<PartKeyword> keywords()
     {
-        return {"restitution", "dampingCoefficient"};
+        return PartInput::dashpot();
     }
 
     struct Parameters { double beta; };

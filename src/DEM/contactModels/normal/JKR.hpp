@@ -40,9 +40,9 @@ struct JKR
     static constexpr int nConstants = 5;
     static constexpr int nHistory = 0;
 
-    static std::vector<std::string> keywords()
+    static std::vector<PartKeyword> keywords()
     {
-        return {"restitution", "dampingCoefficient"};
+        return PartInput::dashpot();
     }
 
     struct Parameters { double alpha; };

@@ -59,12 +59,42 @@ struct cohesivePlastic
     static constexpr int nConstants = 7;
     static constexpr int nHistory = 1;
 
-    static std::vector<std::string> keywords()
+    static std::vector<PartKeyword> keywords()
     {
         return
         {
-            "yieldStrength", "unloading", "restitution", "attraction",
-            "attractionPerRadius", "attractionBuildUp", "softening", "dampingRatio"
+            {
+                "yieldStrength", "Pa", "", 1, 1e14, {},
+                "Y; the flattened spot carries the pressure 2 Y"
+            },
+            {
+                "unloading", "-", "or restitution", 0, 0, {"initial", "average"},
+                "slope of unloading, as the Hertzian contact of the spot"
+            },
+            {
+                "restitution", "-", "or unloading", 0.01, 1, {},
+                "of impacts without attraction; gives the slope of unloading"
+            },
+            {
+                "attraction", "N", "or attractionPerRadius", 0, 1e3, {},
+                "pull-off force of a contact that was never pressed"
+            },
+            {
+                "attractionPerRadius", "N/m", "or attraction", 0, 1e6, {},
+                "the same over the effective radius"
+            },
+            {
+                "attractionBuildUp", "-", "", 0, 0.99, {},
+                "share of the largest force that is added to the attraction"
+            },
+            {
+                "softening", "-", "1", 1e-9, 1, {},
+                "of the stiffness; 1 is the real one"
+            },
+            {
+                "dampingRatio", "-", "0", 0, 1, {},
+                "of a dashpot beside the spring"
+            }
         };
     }
 
@@ -102,24 +132,24 @@ struct cohesivePlastic
         );
 
         Parameters p;
-        p.yieldStrength = input.get("yieldStrength", 1, 1e14);
+        p.yieldStrength = input.get("yieldStrength");
         p.slope = 0;
         p.ratio = 1;
         if (input.has("unloading"))
         {
             p.slope =
-                input.word("unloading", {"initial", "average"}) == "initial" ? 2 : 4.0/3.0;
+                input.word("unloading") == "initial" ? 2 : 4.0/3.0;
         }
         else
         {
-            const double e = input.get("restitution", 0.01, 1);
+            const double e = input.get("restitution");
             p.ratio = 1/(e*e);
         }
-        p.attraction = input.getOr("attraction", 0, 1e3, 0);
-        p.attractionPerRadius = input.getOr("attractionPerRadius", 0, 1e6, 0);
-        p.buildUp = input.get("attractionBuildUp", 0, 0.99);
-        p.softening = input.getOr("softening", 1e-9, 1, 1);
-        p.dampingRatio = input.getOr("dampingRatio", 0, 1, 0);
+        p.attraction = input.getOr("attraction", 0);
+        p.attractionPerRadius = input.getOr("attractionPerRadius", 0);
+        p.buildUp = input.get("attractionBuildUp");
+        p.softening = input.getOr("softening", 1);
+        p.dampingRatio = input.getOr("dampingRatio", 0);
         return p;
     }
 

@@ -29,7 +29,7 @@ struct simplifiedJKR
     static constexpr int nConstants = 5;
     static constexpr int nHistory = 0;
 
-    static std::vector<std::string> keywords() { return Hertz::keywords(); }
+    static std::vector<PartKeyword> keywords() { return Hertz::keywords(); }
 
     using Parameters = Hertz::Parameters;
     static Parameters read(const PartInput& input) { return Hertz::read(input); }

@@ -41,9 +41,20 @@ struct vanDerWaals
     static constexpr int nConstants = DMT::nConstants + 2;
     static constexpr int nHistory = 0;
 
-    static std::vector<std::string> keywords()
+    static std::vector<PartKeyword> keywords()
     {
-        return {"restitution", "dampingCoefficient", "cutOff", "range"};
+        std::vector<PartKeyword> all = PartInput::dashpot();
+        all.push_back
+        ({
+            "cutOff", "m", "", 1e-12, 1e-3, {},
+            "smallest gap, where the attraction is largest"
+        });
+        all.push_back
+        ({
+            "range", "m", "", 1e-12, 1e-3, {},
+            "gap beyond which nothing attracts, above cutOff"
+        });
+        return all;
     }
 
     struct Parameters
@@ -58,8 +69,8 @@ struct vanDerWaals
         const Parameters p
         {
             Hertz::read(input),
-            input.get("cutOff", 1e-12, 1e-3),
-            input.get("range", 1e-12, 1e-3)
+            input.get("cutOff"),
+            input.get("range")
         };
         if (!(p.range > p.cutOff))
         {

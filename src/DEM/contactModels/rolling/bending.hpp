@@ -37,9 +37,19 @@ struct bending
     static constexpr int nConstants = 2;
     static constexpr int nHistory = 3;
 
-    static std::vector<std::string> keywords()
+    static std::vector<PartKeyword> keywords()
     {
-        return {"bendingFactor", "rollingDamping"};
+        return
+        {
+            {
+                "bendingFactor", "-", "", 0, 1000, {},
+                "factor of the largest bending moment"
+            },
+            {
+                "rollingDamping", "N s", "0", 0, 1e6, {},
+                "moment over the rolling velocity"
+            }
+        };
     }
 
     struct Parameters
@@ -52,8 +62,8 @@ struct bending
     {
         return
         {
-            input.get("bendingFactor", 0, 1000),
-            input.getOr("rollingDamping", 0, 1e6, 0)
+            input.get("bendingFactor"),
+            input.getOr("rollingDamping", 0)
         };
     }
 

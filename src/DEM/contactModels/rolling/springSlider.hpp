@@ -39,9 +39,23 @@ struct springSlider
     static constexpr int nConstants = 3;
     static constexpr int nHistory = 3;
 
-    static std::vector<std::string> keywords()
+    static std::vector<PartKeyword> keywords()
     {
-        return {"criticalAngle", "adhesionHysteresis", "rollingDamping"};
+        return
+        {
+            {
+                "criticalAngle", "rad", "or adhesionHysteresis", 0, 1, {},
+                "rolling angle at which it begins to roll off"
+            },
+            {
+                "adhesionHysteresis", "-", "or criticalAngle", 0, 10, {},
+                "of the work of adhesion, which gives the critical angle"
+            },
+            {
+                "rollingDamping", "N s", "0", 0, 1e6, {},
+                "moment over the rolling velocity"
+            }
+        };
     }
 
     struct Parameters
@@ -65,9 +79,9 @@ struct springSlider
         }
         return
         {
-            input.getOr("criticalAngle", 0, 1, 0),
-            input.getOr("adhesionHysteresis", 0, 10, 0),
-            input.getOr("rollingDamping", 0, 1e6, 0)
+            input.getOr("criticalAngle", 0),
+            input.getOr("adhesionHysteresis", 0),
+            input.getOr("rollingDamping", 0)
         };
     }
 

@@ -32,13 +32,16 @@ struct springDashpotSlider
     static constexpr int nConstants = 3;
     static constexpr int nHistory = 3;
 
-    static std::vector<std::string> keywords() { return {"friction"}; }
+    static std::vector<PartKeyword> keywords()
+    {
+        return {{"friction", "-", "", 0, 10, {}, "coefficient of friction"}};
+    }
 
     struct Parameters { double friction = 0; };
 
     static Parameters read(const PartInput& input)
     {
-        return {input.get("friction", 0, 10)};
+        return {input.get("friction")};
     }
 
     static void prepare

@@ -32,9 +32,19 @@ struct cappedSpring
     static constexpr int nConstants = 3;
     static constexpr int nHistory = 1;
 
-    static std::vector<std::string> keywords()
+    static std::vector<PartKeyword> keywords()
     {
-        return {"twistingFactor", "twistingDamping"};
+        return
+        {
+            {
+                "twistingFactor", "-", "", 0, 1000, {},
+                "largest twisting moment over that of bending"
+            },
+            {
+                "twistingDamping", "N m s", "0", 0, 1e6, {},
+                "moment over the rate of twist"
+            }
+        };
     }
 
     struct Parameters
@@ -47,8 +57,8 @@ struct cappedSpring
     {
         return
         {
-            input.get("twistingFactor", 0, 1000),
-            input.getOr("twistingDamping", 0, 1e6, 0)
+            input.get("twistingFactor"),
+            input.getOr("twistingDamping", 0)
         };
     }
 

@@ -31,7 +31,7 @@ struct springDashpotSlider
     static constexpr int nConstants = 1;
     static constexpr int nHistory = 1;
 
-    static std::vector<std::string> keywords() { return {}; }
+    static std::vector<PartKeyword> keywords() { return {}; }
 
     struct Parameters {};
     static Parameters read(const PartInput&) { return {}; }

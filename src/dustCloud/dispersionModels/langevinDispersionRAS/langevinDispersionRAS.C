@@ -306,18 +306,7 @@ Foam::langevinDispersionRAS::langevinDispersionRAS
     (
         dict.subOrEmptyDict("langevinDispersionRASCoeffs")
     );
-    dustProperties::checkKeywords(coeffs, {"timeScale"});
     coeffs.readIfPresent("timeScale", timeScale_);
-    if (!(timeScale_ > 0))
-    {
-        dustProperties::error
-        (
-            coeffs,
-            "timeScale",
-            "T = C k/epsilon with C " + Foam::name(timeScale_),
-            "> 0; 0.3 is usual"
-        );
-    }
 
     for (const polyPatch& pp : owner.mesh().boundaryMesh())
     {

@@ -19,6 +19,9 @@ License
 
 \*---------------------------------------------------------------------------*/
 
+// First: includes DEM.hpp
+#include "dustProperties.H"
+
 #include "logNormal.H"
 #include "addToRunTimeSelectionTable.H"
 
@@ -78,6 +81,25 @@ Foam::distributionModels::logNormal::logNormal
         FatalIOErrorInFunction(distributionModelDict_)
             << "logNormal: allowed are 0 < minValue < maxValue, median > 0,"
             << " geometricStandardDeviation > 1" << exit(FatalIOError);
+    }
+
+    // What is sampled divides by it
+    const scalar share =
+        normalShare(std::log(maxValue_/median_)/sigma_)
+      - normalShare(std::log(minValue_/median_)/sigma_);
+
+    if (share < 1e-9)
+    {
+        dustProperties::error
+        (
+            distributionModelDict_,
+            "median",
+            "between minValue and maxValue lies a share of "
+          + Foam::name(share) + " of the particles of median "
+          + Foam::name(median_) + " m",
+            "a median near minValue " + Foam::name(minValue_)
+          + " m to maxValue " + Foam::name(maxValue_) + " m"
+        );
     }
 }
 

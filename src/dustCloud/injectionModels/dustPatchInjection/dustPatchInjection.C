@@ -24,6 +24,7 @@ License
 #include "dustProperties.H"
 
 #include "dustPatchInjection.H"
+#include "cellCrossing.H"
 
 #include <algorithm>
 #include <cmath>
@@ -94,10 +95,125 @@ void Foam::dustPatchInjection::makeTriangles()
         triangles_.append(mine);
     }
 
+    bounds_ = boundBox();
+    fastest_ = 0;
     for (triangle& t : triangles_)
     {
         t.cumulative /= sum;
+        fastest_ = max(fastest_, mag(t.U));
+        for (const point& x : t.vertices)
+        {
+            bounds_.add(x);
+            bounds_.add(x + 0.5*sizes_->maxValue()*t.normal);
+        }
     }
+    findCrossing(velocities[0]);
+}
+
+
+void Foam::dustPatchInjection::findCrossing(const vectorField& U)
+{
+    const fvMesh& mesh = this->owner().mesh();
+    const labelUList& cells = mesh.boundary()[patchID_].faceCells();
+    const vectorField& Sf = mesh.boundary()[patchID_].Sf();
+
+    crossing_ = 0;
+    forAll(cells, facei)
+    {
+        if (gasVelocity_ && (U[facei] & Sf[facei]) >= 0)
+        {
+            continue;
+        }
+        const label celli = cells[facei];
+        crossing_ = max(crossing_, cellCrossing(mesh, celli, U[facei]));
+        crossing_ =
+            max(crossing_, cellCrossing(mesh, celli, this->owner().U()[celli]));
+    }
+    reduce(crossing_, maxOp<scalar>());
+}
+
+
+void Foam::dustPatchInjection::checkInput(const dictionary& dict) const
+{
+    if (patchID_ < 0)
+    {
+        wordList names;
+        for (const polyPatch& pp : this->owner().mesh().boundaryMesh())
+        {
+            if (!pp.coupled())
+            {
+                names.append(pp.name());
+            }
+        }
+        dustProperties::error
+        (
+            dict,
+            "patch",
+            "there is no patch '" + patchName_ + "'",
+            dustProperties::listed(names)
+        );
+    }
+    const auto positive = [&dict](const word& keyword, const scalar value)
+    {
+        if (!(value > 0 && std::isfinite(value)))
+        {
+            dustProperties::error
+            (
+                dict,
+                keyword,
+                "is " + Foam::name(value),
+                "a positive number"
+            );
+        }
+    };
+    positive("parcelsPerSecond", dict.get<scalar>("parcelsPerSecond"));
+    positive("duration", dict.lookupOrDefault<scalar>("duration", GREAT));
+    positive
+    (
+        "parcelsTotal",
+        scalar(dict.lookupOrDefault<label>("parcelsTotal", labelMax))
+    );
+}
+
+
+Foam::injectionClock Foam::dustPatchInjection::makeClock
+(
+    const dictionary& dict
+)
+{
+    const scalar rate = dict.get<scalar>("parcelsPerSecond");
+    const scalar duration = dict.lookupOrDefault<scalar>("duration", GREAT);
+    const label total = dict.lookupOrDefault<label>("parcelsTotal", labelMax);
+    const scalar SOI = this->SOI_;
+    const scalar now = this->owner().db().time().value();
+    const scalar begun =
+        this->template getModelProperty<scalar>("begin", GREAT);
+
+    if (begun < GREAT)
+    {
+        const scalar rate0 = this->template getModelProperty<scalar>("rate");
+        const scalar SOI0 = this->template getModelProperty<scalar>("SOI");
+        start_ = this->template getModelProperty<scalar>("start");
+        if (rate == rate0 && SOI == SOI0)
+        {
+            return injectionClock(begun, rate, start_ + duration, total);
+        }
+        const scalar from = max(SOI, now);
+        start_ = SOI == SOI0 ? start_ : from;
+        Info<< "Injector " << this->modelName() << ": SOI or parcelsPerSecond"
+            << " are not as they were; particle " << next_ << " is due at "
+            << from << " s" << nl << endl;
+        return injectionClock::from(next_, from, rate, start_ + duration, total);
+    }
+    start_ = SOI;
+    if (SOI < now && !next_)
+    {
+        start_ = now;
+        Info<< "Injector " << this->modelName() << ": SOI " << SOI
+            << " s is before the start; injection begins at " << now << " s"
+            << nl << endl;
+    }
+    return injectionClock(start_, rate, start_ + duration, total);
 }
 
 
@@ -123,20 +239,19 @@ Foam::dustPatchInjection::dustPatchInjection
     InjectionModel<cloudType>(completed(dict), owner, modelName, typeName),
     patchName_(dict.get<word>("patch")),
     patchID_(owner.mesh().boundaryMesh().findPatchID(patchName_)),
-    parcelsPerSecond_(dict.get<scalar>("parcelsPerSecond")),
-    duration_(dict.lookupOrDefault<scalar>("duration", GREAT)),
-    parcelsTotal_(dict.lookupOrDefault<label>("parcelsTotal", labelMax)),
     gasVelocity_(false),
     U0_(Zero),
     seed_(dict.lookupOrDefault<label>("seed", 1)),
     random_(0),
     sizes_(distributionModel::New(dict.subDict("sizeDistribution"), random_)),
+    fastest_(0),
+    crossing_(0),
     next_(this->template getModelProperty<label>("next")),
     redrawn_(this->template getModelProperty<label>("redrawn")),
     leftOut_(this->template getModelProperty<label>("leftOut")),
-    d_(0),
-    U_(Zero),
-    number_(-1)
+    withoutFlow_(this->template getModelProperty<label>("withoutFlow")),
+    start_(0),
+    clock_(0, 1, 0, 0)
 {
     dustProperties::checkKeywords
     (
@@ -148,34 +263,8 @@ Foam::dustPatchInjection::dustPatchInjection
         }
     );
 
-    if (patchID_ < 0)
-    {
-        wordList names;
-        for (const polyPatch& pp : owner.mesh().boundaryMesh())
-        {
-            if (!pp.coupled())
-            {
-                names.append(pp.name());
-            }
-        }
-        dustProperties::error
-        (
-            dict,
-            "patch",
-            "there is no patch '" + patchName_ + "'",
-            dustProperties::listed(names)
-        );
-    }
-    if (parcelsPerSecond_ <= 0)
-    {
-        dustProperties::error
-        (
-            dict,
-            "parcelsPerSecond",
-            "is " + Foam::name(parcelsPerSecond_),
-            "> 0 1/s"
-        );
-    }
+    checkInput(dict);
+    clock_ = makeClock(dict);
 
     ITstream& is = dict.lookup("U0");
     const token first(is);
@@ -207,229 +296,169 @@ Foam::dustPatchInjection::dustPatchInjection(const dustPatchInjection& im)
     InjectionModel<cloudType>(im),
     patchName_(im.patchName_),
     patchID_(im.patchID_),
-    parcelsPerSecond_(im.parcelsPerSecond_),
-    duration_(im.duration_),
-    parcelsTotal_(im.parcelsTotal_),
     gasVelocity_(im.gasVelocity_),
     U0_(im.U0_),
     seed_(im.seed_),
     random_(0),
     sizes_(im.sizes_.clone()),
     triangles_(im.triangles_),
+    bounds_(im.bounds_),
+    fastest_(im.fastest_),
+    crossing_(im.crossing_),
     next_(im.next_),
     redrawn_(im.redrawn_),
     leftOut_(im.leftOut_),
-    d_(0),
-    U_(Zero),
-    number_(-1)
+    withoutFlow_(im.withoutFlow_),
+    start_(im.start_),
+    clock_(im.clock_)
 {}
-
-
-// * * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * //
-
-bool Foam::dustPatchInjection::prepareForNextTimeStep
-(
-    const scalar time,
-    label& newParcels,
-    scalar& newVolumeFraction
-)
-{
-    // Due before this gas step began
-    const scalar passed =
-        time - this->owner().db().time().deltaTValue() - this->SOI_;
-    const scalar limit = min(passed, duration_);
-
-    // Particle 0 is due at once; the tolerance is for times that are sums
-    const scalar due =
-        passed < -SMALL ? 0 : std::floor(limit*parcelsPerSecond_ + 1e-6) + 1;
-    const label last = label
-    (
-        min
-        (
-            due,
-            min
-            (
-                std::ceil(duration_*parcelsPerSecond_ - 1e-6),
-                scalar(parcelsTotal_)
-            )
-        )
-    );
-
-    newParcels = max(last - next_, label(0));
-    newVolumeFraction = 1;
-    placed_.clear();
-    placedDiameters_.clear();
-
-    if (newParcels && gasVelocity_)
-    {
-        makeTriangles();
-    }
-    return newParcels && triangles_.size();
-}
-
-
-void Foam::dustPatchInjection::postInjectCheck
-(
-    const label parcelsAdded,
-    const scalar massAdded
-)
-{
-    // As the base class does, but without a message
-    this->parcelsAddedTotal_ += returnReduce(parcelsAdded, sumOp<label>());
-    this->massInjected_ += returnReduce(massAdded, sumOp<scalar>());
-    this->time0_ = this->owner().db().time().value();
-    ++this->nInjections_;
-}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::scalar Foam::dustPatchInjection::timeEnd() const
+void Foam::dustPatchInjection::check
+(
+    const bool gasFrozen,
+    const scalar deltaT
+) const
 {
-    return
-        this->SOI_
-      + min(duration_, scalar(parcelsTotal_)/parcelsPerSecond_);
+    if (clock_.rate()*deltaT > 1e8)
+    {
+        dustProperties::error
+        (
+            this->dict(),
+            "parcelsPerSecond",
+            "brings " + Foam::name(clock_.rate()*deltaT)
+          + " particles in a gas step of " + Foam::name(deltaT) + " s",
+            "at most 1e8 of them"
+        );
+    }
+    bool outward = flows() && !gasVelocity_;
+    for (const triangle& t : triangles_)
+    {
+        outward = outward && (U0_ & t.normal) < 0;
+    }
+    if (outward)
+    {
+        dustProperties::error
+        (
+            this->dict(),
+            "U0",
+            "leads out of the domain through patch " + patchName_,
+            "a velocity into the domain"
+        );
+    }
+    if (flows() || !clock_.has(next_))
+    {
+        return;
+    }
+    const string reason("no gas flows in through patch " + patchName_);
+    if (gasFrozen)
+    {
+        dustProperties::error
+        (
+            this->dict(),
+            "U0",
+            reason + ", and the gas is frozen: nothing would enter",
+            "a patch where gas flows in, or a velocity (Ux Uy Uz) in m/s"
+        );
+    }
+    Info<< "Injector " << this->modelName() << ": " << reason.c_str()
+        << " at the start; nothing enters until it does" << nl << endl;
 }
 
 
-Foam::label Foam::dustPatchInjection::parcelsToInject
-(
-    const scalar time0,
-    const scalar time1
-)
+void Foam::dustPatchInjection::newGas()
 {
-    return label(max(scalar(0), (time1 - time0)*parcelsPerSecond_));
+    if (gasVelocity_)
+    {
+        makeTriangles();
+    }
+    else
+    {
+        findCrossing
+        (
+            vectorField(this->owner().mesh().boundary()[patchID_].size(), U0_)
+        );
+    }
 }
 
 
-Foam::scalar Foam::dustPatchInjection::volumeToInject
+void Foam::dustPatchInjection::draw
 (
-    const scalar time0,
-    const scalar time1
-)
+    const label number,
+    const label attempt,
+    point& x,
+    scalar& d,
+    vector& U
+) const
 {
-    return time1 - time0;
-}
+    random_ = Random(dustCloud::seed(seed_, number, attempt));
 
-
-void Foam::dustPatchInjection::setPositionAndCell
-(
-    const label,
-    const label,
-    const scalar,
-    vector& position,
-    label& cellOwner,
-    label& tetFacei,
-    label& tetPti
-)
-{
-    // The owner is complete by now
-    const dustCloud& cloud = dynamic_cast<const dustCloud&>(this->owner());
-    const fvMesh& mesh = this->owner().mesh();
-    const Time& time = this->owner().db().time();
-
-    number_ = next_++;
-    cellOwner = -1;
-    tetFacei = -1;
-    tetPti = -1;
-
-    // Since it was due
-    const scalar passed = max
+    const scalar share = random_.sample01<scalar>();
+    const triangle& t = *std::lower_bound
     (
-        scalar(0),
-        time.value() - time.deltaTValue() - this->SOI_
-      - number_/parcelsPerSecond_
+        triangles_.begin(),
+        triangles_.end() - 1,
+        share,
+        [](const triangle& a, const scalar s) { return a.cumulative < s; }
     );
 
-    for (label attempt = 0; attempt < 100; ++attempt)
+    // Uniform in the triangle
+    scalar a = random_.sample01<scalar>();
+    scalar b = random_.sample01<scalar>();
+    if (a + b > 1)
     {
-        random_ = Random(dustCloud::seed(seed_, number_, attempt));
-
-        const scalar share = random_.sample01<scalar>();
-        const triangle& t = *std::lower_bound
-        (
-            triangles_.begin(),
-            triangles_.end() - 1,
-            share,
-            [](const triangle& a, const scalar s) { return a.cumulative < s; }
-        );
-
-        // Uniform in the triangle
-        scalar a = random_.sample01<scalar>();
-        scalar b = random_.sample01<scalar>();
-        if (a + b > 1)
-        {
-            a = 1 - a;
-            b = 1 - b;
-        }
-        d_ = sizes_->sample();
-        U_ = t.U;
-
-        position =
-            t.vertices[0]
-          + a*(t.vertices[1] - t.vertices[0])
-          + b*(t.vertices[2] - t.vertices[0])
-          + 0.5*d_*t.normal
-          + passed*U_;
-
-        // All of what follows is the same on all ranks
-        word what;
-        bool free = cloud.overlapAt(position, d_, what) < 0;
-
-        forAll(placed_, i)
-        {
-            free =
-                free
-             && mag(placed_[i] - position)
-              > 0.5*(placedDiameters_[i] + d_);
-        }
-
-        label rank = -1;
-        if (free)
-        {
-            cellOwner = mesh.findCell(position);
-            rank = cellOwner >= 0 ? Pstream::myProcNo() : -1;
-            reduce(rank, maxOp<label>());
-        }
-        if (rank >= 0)
-        {
-            if (rank != Pstream::myProcNo())
-            {
-                cellOwner = -1;
-            }
-            placed_.append(position);
-            placedDiameters_.append(d_);
-            return;
-        }
-        ++redrawn_;
+        a = 1 - a;
+        b = 1 - b;
     }
-    cellOwner = -1;
-    ++leftOut_;
+    d = sizes_->sample();
+    U = t.U;
+    x =
+        t.vertices[0]
+      + a*(t.vertices[1] - t.vertices[0])
+      + b*(t.vertices[2] - t.vertices[0])
+      + 0.5*d*t.normal;
+}
 
-    if (leftOut_ == 1)
+
+void Foam::dustPatchInjection::passWithoutFlow()
+{
+    if (++withoutFlow_ == 1)
+    {
+        WarningInFunction
+            << this->modelName() << ": no gas flows in through patch "
+            << patchName_ << " at " << clock_.due(next_) << " s, when particle "
+            << next_ << " is due. It is left out, and so is what is due before"
+            << " gas flows in; said once, the number is in the verdict" << endl;
+    }
+    ++next_;
+}
+
+
+void Foam::dustPatchInjection::leaveOut(const label number)
+{
+    if (++leftOut_ == 1)
     {
         WarningInFunction
             << this->modelName() << ": no free place for particle "
-            << number_ << " at patch " << patchName_ << " after 100 tries."
-            << " It is left out; said once, the number is in"
-            << " uniform/lagrangian" << endl;
+            << number << " at patch " << patchName_ << " after 100 tries."
+            << " It is left out; said once, the number is in the verdict"
+            << endl;
     }
 }
 
 
-void Foam::dustPatchInjection::setProperties
-(
-    const label,
-    const label,
-    const scalar,
-    parcelType& parcel
-)
+void Foam::dustPatchInjection::count()
 {
-    parcel.U() = U_;
-    parcel.d() = d_;
+    ++this->parcelsAddedTotal_;
+    this->time0_ = this->owner().db().time().value();
+}
 
-    // The cloud makes an identity of it
-    parcel.origId() = number_;
+
+Foam::scalar Foam::dustPatchInjection::timeEnd() const
+{
+    return clock_.end();
 }
 
 
@@ -448,6 +477,11 @@ void Foam::dustPatchInjection::info(Ostream& os)
         this->setModelProperty("next", next_);
         this->setModelProperty("redrawn", redrawn_);
         this->setModelProperty("leftOut", leftOut_);
+        this->setModelProperty("withoutFlow", withoutFlow_);
+        this->setModelProperty("begin", scalar(clock_.begin()));
+        this->setModelProperty("start", start_);
+        this->setModelProperty("rate", scalar(clock_.rate()));
+        this->setModelProperty("SOI", this->SOI_);
     }
 }
 

@@ -50,19 +50,7 @@ Foam::brownianMotion::brownianMotion
     ParticleForce<cloudType>(owner, mesh, dict, typeName, true),
     kT_(0)
 {
-    dustProperties::checkKeywords(this->coeffs(), {"T"});
-    const scalar T = this->coeffs().get<scalar>("T");
-    if (!(T > 0 && T < GREAT))
-    {
-        dustProperties::error
-        (
-            this->coeffs(),
-            "T",
-            "a temperature of " + Foam::name(T) + " K",
-            "> 0 K; 293 is usual"
-        );
-    }
-    kT_ = 1.380649e-23*T;
+    kT_ = 1.380649e-23*this->coeffs().get<scalar>("T");
 }
 
 

@@ -61,21 +61,6 @@ Foam::slipDrag::slipDrag
         this->coeffs().lookupOrDefault<vector>("A", vector(1.257, 0.4, 1.1))
     )
 {
-    for (const entry& e : this->coeffs())
-    {
-        if (e.keyword() != "lambda" && e.keyword() != "A")
-        {
-            FatalIOErrorInFunction(this->coeffs())
-                << "unknown keyword '" << e.keyword() << "' in " << forceType << nl
-                << "    allowed: lambda, A" << exit(FatalIOError);
-        }
-    }
-    if (lambda_ < 0)
-    {
-        FatalIOErrorInFunction(this->coeffs())
-            << "keyword 'lambda': the mean free path is " << lambda_ << nl
-            << "    allowed: >= 0 m; 0 = no slip" << exit(FatalIOError);
-    }
 }
 
 

@@ -62,21 +62,25 @@ Foam::forceSuSp Foam::slipErgunWenYuDrag::calcCoupled
 {
     const scalar alpha = alphac_[p.cell()];
 
-    if (alpha < 0.8)
+    // 0: Ergun, 1: Wen and Yu
+    const scalar dilute = min(max((alpha - 0.8)/0.05, scalar(0)), scalar(1));
+
+    scalar Sp = 0;
+    if (dilute < 1)
     {
-        return forceSuSp
-        (
-            vector(Zero),
-            p.volume()
+        Sp +=
+            (1 - dilute)*p.volume()
            *(150*(1 - alpha)/(alpha*slipCorrection(p.d())) + 1.75*Re)
-           *muc/(alpha*sqr(p.d()))
-        );
+           *muc/(alpha*sqr(p.d()));
     }
-
-    return
-        pow(alpha, -3.65)*slipDrag::calcCoupled(p, td, dt, mass, alpha*Re, muc);
+    if (dilute > 0)
+    {
+        Sp +=
+            dilute*pow(alpha, -3.65)
+           *slipDrag::calcCoupled(p, td, dt, mass, alpha*Re, muc).Sp();
+    }
+    return forceSuSp(vector(Zero), Sp);
 }
-
 
 
 // ************************************************************************* //

@@ -53,20 +53,6 @@ Foam::thermophoresis::thermophoresis
     k_(this->coeffs().get<scalar>("conductivityRatio"))
 {
     const dictionary& coeffs = this->coeffs();
-    dustProperties::checkKeywords(coeffs, {"lambda", "conductivityRatio", "T"});
-    for (const char* const name : {"lambda", "conductivityRatio"})
-    {
-        const word keyword(name);
-        const scalar value = coeffs.get<scalar>(keyword);
-        if (!(value >= 0 && value < GREAT))
-        {
-            dustProperties::error
-            (
-                coeffs, keyword, "is " + Foam::name(value), "zero or positive"
-            );
-        }
-    }
-
     const auto& T = mesh.lookupObject<volScalarField>
     (
         coeffs.lookupOrDefault<word>("T", "T")

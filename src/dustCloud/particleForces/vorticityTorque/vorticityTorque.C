@@ -45,10 +45,6 @@ Foam::vorticityTorque::vorticityTorque
 :
     ParticleForce<cloudType>(owner, mesh, dict, typeName, false)
 {
-    if (dict.dictName() == typeName)
-    {
-        dustProperties::checkKeywords(dict, {});
-    }
     const word scheme(owner.solution().interpolationSchemes().lookup("U"));
     if (scheme != "cellWall")
     {

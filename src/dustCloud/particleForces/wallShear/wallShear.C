@@ -43,10 +43,6 @@ Foam::wallShear::wallShear
 :
     ParticleForce<cloudType>(owner, mesh, dict, typeName, false)
 {
-    if (dict.dictName() == typeName)
-    {
-        dustProperties::checkKeywords(dict, {});
-    }
 }
 
 

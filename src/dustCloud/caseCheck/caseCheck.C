@@ -1,0 +1,309 @@
+/*---------------------------------------------------------------------------*\
+    dustFoam: adhesive dust in ventilation ducts
+-------------------------------------------------------------------------------
+License
+    This file is part of dustFoam.
+
+    dustFoam is free software: you can redistribute it and/or modify it under
+    the terms of the GNU General Public License as published by the Free
+    Software Foundation, either version 3 of the License, or (at your option)
+    any later version.
+
+    dustFoam is distributed in the hope that it will be useful, but WITHOUT ANY
+    WARRANTY; without even the implied warranty of MERCHANTABILITY or FITNESS
+    FOR A PARTICULAR PURPOSE.  See the GNU General Public License for more
+    details.
+
+    You should have received a copy of the GNU General Public License along
+    with dustFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+// First: includes DEM.hpp
+#include "dustProperties.H"
+
+#include "caseCheck.H"
+
+#include "distributionModel.H"
+#include "fvMesh.H"
+#include "mathematicalConstants.H"
+#include "volFields.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalar Foam::caseCheck::expected(const dictionary& injector) const
+{
+    const Time& time = mesh_.time();
+    const scalar start = injector.lookupOrDefault<scalar>("SOI", 0);
+    const scalar rate =
+        injector.lookupOrDefault<scalar>("parcelsPerSecond", 0);
+    const scalar open = min
+    (
+        time.endTime().value() - max(start, time.value()),
+        injector.lookupOrDefault<scalar>("duration", GREAT)
+    );
+
+    return min
+    (
+        max(open, scalar(0))*rate,
+        scalar(injector.lookupOrDefault<label>("parcelsTotal", labelMax))
+    );
+}
+
+
+Foam::scalar Foam::caseCheck::inflow
+(
+    const dictionary& injector,
+    const volVectorField& U
+) const
+{
+    const label patchi = mesh_.boundaryMesh().findPatchID
+    (
+        injector.lookupOrDefault<word>("patch", "none")
+    );
+    if (patchi < 0 || !injector.found("U0"))
+    {
+        return 0;
+    }
+    const fvPatch& patch = mesh_.boundary()[patchi];
+
+    if (injector.lookupEntry("U0", keyType::LITERAL).stream()[0].isWord())
+    {
+        return gSum
+        (
+            max(-(U.boundaryField()[patchi] & patch.Sf()), scalar(0))()
+        );
+    }
+    return mag(injector.get<vector>("U0"))*gSum(patch.magSf());
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::caseCheck::caseCheck(const dictionary& injectors, const fvMesh& mesh)
+:
+    injectors_(injectors),
+    mesh_(mesh)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::caseCheck::density
+(
+    const dictionary& properties,
+    const dustProperties& dust
+)
+{
+    scalar density = 0;
+    for (const dem::Material& m : dust.materials())
+    {
+        density = m.name == dust.dustMaterial() ? m.density : density;
+    }
+    const dictionary constants
+    (
+        properties.subOrEmptyDict("constantProperties")
+    );
+    scalar rho0;
+    if
+    (
+        constants.readIfPresent("rho0", rho0)
+     && mag(rho0 - density) > 1e-6*density
+    )
+    {
+        dustProperties::error
+        (
+            constants,
+            "rho0",
+            "differs from the density of the material " + dust.dustMaterial(),
+            Foam::name(density) + ", or no rho0"
+        );
+    }
+}
+
+
+void Foam::caseCheck::sizes() const
+{
+    // Of 2-D meshes only what is solved for
+    const vector span = mesh_.bounds().span();
+    scalar least = GREAT;
+    for (direction i = 0; i < vector::nComponents; ++i)
+    {
+        if (mesh_.solutionD()[i] > 0)
+        {
+            least = min(least, span[i]);
+        }
+    }
+
+    for (const entry& e : injectors_)
+    {
+        const dictionary* sizesPtr =
+            e.isDict() ? e.dict().findDict("sizeDistribution") : nullptr;
+        if (!sizesPtr)
+        {
+            continue;
+        }
+        Random random(0);
+        const scalar largest =
+            distributionModel::New(*sizesPtr, random)->maxValue();
+
+        if (largest >= least)
+        {
+            const word block(sizesPtr->get<word>("type") + "Distribution");
+            const dictionary* valuesPtr = sizesPtr->findDict(block);
+            const dictionary& values = valuesPtr ? *valuesPtr : *sizesPtr;
+
+            word keyword = sizesPtr->dictName();
+            for (const word name : {"maxValue", "value", "distribution"})
+            {
+                keyword = values.found(name) ? name : keyword;
+            }
+            dustProperties::error
+            (
+                values,
+                keyword,
+                "particles of " + Foam::name(largest)
+              + " m do not fit into a mesh of " + Foam::name(span.x()) + " x "
+              + Foam::name(span.y()) + " x " + Foam::name(span.z())
+              + " m: are the sizes in m?",
+                "< " + Foam::name(least) + " m"
+            );
+        }
+    }
+}
+
+
+void Foam::caseCheck::plan
+(
+    const label nParticles,
+    const scalar meanDiameter,
+    const scalar longestStep,
+    const volVectorField& U,
+    const bool gasSolved
+) const
+{
+    const Time& time = mesh_.time();
+    const scalar deltaT = time.deltaTValue();
+    const scalar length = time.endTime().value() - time.value();
+
+    // Far more than can be done, and far from what overflows
+    const scalar most = 1e15;
+    const scalar nSteps = length < most*deltaT ? length/deltaT : most;
+    scalar nExpected = 0;
+
+    for (const entry& e : injectors_)
+    {
+        if (!e.isDict())
+        {
+            continue;
+        }
+        const scalar n = expected(e.dict());
+        const scalar rate =
+            e.dict().lookupOrDefault<scalar>("parcelsPerSecond", 0);
+        const scalar flow = inflow(e.dict(), U);
+        const scalar volume =
+            constant::mathematical::pi/6*pow3(meanDiameter)*rate;
+
+        if (n > 0)
+        {
+            Info<< "  Injector " << e.keyword() << ": " << n
+                << " particles due until the end, up to " << min(n, rate*deltaT)
+                << " in a gas step" << nl;
+        }
+        if (n > 0 && flow > 0 && volume > 0.5*flow)
+        {
+            Info<< "  Warning: injector " << e.keyword() << ": its particles"
+                << " are " << volume/flow << " of the volume that enters with"
+                << " them (at most 0.6 fits); parcelsPerSecond below "
+                << 0.1*flow/volume*rate << " leaves room" << nl;
+        }
+        nExpected += n;
+    }
+
+    const scalar seconds =
+        nSteps
+       *(
+            (nParticles + 0.5*nExpected)*particleSeconds
+           *max(scalar(1), min(deltaT, length)/longestStep)
+          + gasSolved*scalar(mesh_.globalData().nTotalCells())*cellSeconds
+        )
+       /Pstream::nProcs();
+
+    if (seconds > week)
+    {
+        Info<< "  Warning: this run takes at least " << seconds/86400
+            << " days on " << Pstream::nProcs() << " ranks: " << nSteps
+            << " gas steps, " << nParticles + nExpected << " particles in the"
+            << " end. A longer deltaT, an earlier endTime or fewer particles"
+            << " shorten it" << nl;
+    }
+    Info<< endl;
+}
+
+
+void Foam::caseCheck::calibration
+(
+    const dictionary& contact,
+    const scalar chi,
+    const bool automatic
+)
+{
+    for (const entry& e : contact)
+    {
+        scalar fitted;
+        if (!e.isDict() || !e.dict().readIfPresent("calibratedRatio", fitted))
+        {
+            continue;
+        }
+        if (mag(fitted - chi) < 1e-3*fitted)
+        {
+            Info<< "  Contact " << e.keyword() << ": chi " << chi << " is the"
+                << " one for which it was calibrated" << nl;
+        }
+        else
+        {
+            Info<< "  Warning: contact " << e.keyword() << " was calibrated for"
+                << " chi " << fitted << ", reducedStiffness/ratio is " << chi
+                << (automatic ? " (auto)" : "") << ": its restitution is not"
+                << " the measured one. 'ratio " << fitted << ";' is its own"
+                << nl;
+        }
+    }
+}
+
+
+void Foam::caseCheck::contactTime
+(
+    const dem::MaterialTable& table,
+    const int material,
+    const scalar diameter,
+    const scalar speed,
+    const scalar viscosity
+)
+{
+    if (diameter <= 0)
+    {
+        return;
+    }
+    const scalar density = table.materials()[std::size_t(material)].density;
+    const scalar mass =
+        density*constant::mathematical::pi/6*pow3(diameter);
+    const scalar radius = 0.5*diameter;
+    const scalar contactTime = table.figures
+    (
+        material, material, radius, radius, mass, mass, max(speed, VSMALL)
+    ).impactTime;
+    const scalar relaxation = density*sqr(diameter)/(18*viscosity);
+
+    if (contactTime > 0.1*relaxation)
+    {
+        Info<< "  Warning: a collision of particles of " << diameter << " m"
+            << " takes " << contactTime << " s, their relaxation time is "
+            << relaxation << " s: the gas acts on a collision that is longer"
+            << " than the real one. A larger reducedStiffness/ratio shortens"
+            << " it" << nl;
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,236 @@
+/*---------------------------------------------------------------------------*\
+    dustFoam: adhesive dust in ventilation ducts
+-------------------------------------------------------------------------------
+License
+    This file is part of dustFoam.
+
+    dustFoam is free software: you can redistribute it and/or modify it under
+    the terms of the GNU General Public License as published by the Free
+    Software Foundation, either version 3 of the License, or (at your option)
+    any later version.
+
+    dustFoam is distributed in the hope that it will be useful, but WITHOUT ANY
+    WARRANTY; without even the implied warranty of MERCHANTABILITY or FITNESS
+    FOR A PARTICULAR PURPOSE.  See the GNU General Public License for more
+    details.
+
+    You should have received a copy of the GNU General Public License along
+    with dustFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "captureEfficiency.H"
+#include "dustCloud.H"
+#include "dustSnapshot.H"
+
+#include "wallPolyPatch.H"
+#include "addToRunTimeSelectionTable.H"
+#include "IOdictionary.H"
+
+#include <algorithm>
+#include <limits>
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace functionObjects
+{
+    defineTypeNameAndDebug(captureEfficiency, 0);
+    addToRunTimeSelectionTable(functionObject, captureEfficiency, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::label Foam::functionObjects::captureEfficiency::classOf
+(
+    const scalar d
+) const
+{
+    const label above = label
+    (
+        std::upper_bound(diameters_.begin(), diameters_.end(), d)
+      - diameters_.begin()
+    );
+    const label classes = diameters_.size() - 1;
+    return above > 0 && above <= classes ? above - 1 : classes;
+}
+
+
+Foam::IOobject Foam::functionObjects::captureEfficiency::stateFile
+(
+    const IOobject::readOption r
+) const
+{
+    return IOobject
+    (
+        name(),
+        time_.timeName(),
+        "uniform",
+        time_,
+        r,
+        IOobject::NO_WRITE,
+        false
+    );
+}
+
+
+void Foam::functionObjects::captureEfficiency::readState()
+{
+    passed_.setSize(diameters_.size(), 0);
+
+    IOobject io(stateFile(IOobject::MUST_READ));
+    if (io.typeHeaderOk<IOdictionary>(true))
+    {
+        const IOdictionary state(io);
+        if (state.get<scalarList>("diameters") != diameters_)
+        {
+            FatalIOErrorInFunction(state)
+                << "keyword 'diameters': the classes of the function object "
+                << name() << " were others, and what has passed cannot be "
+                << "told apart anew" << nl << "    allowed: "
+                << state.get<scalarList>("diameters")
+                << ", or without this file to count from now on"
+                << exit(FatalIOError);
+        }
+        passed_ = state.get<labelList>("passed");
+        return;
+    }
+
+    const dustCloud* cloud = mesh_.findObject<dustCloud>(cloudName_);
+    const label before = cloud ? cloud->escaped().count : 0;
+    if (before)
+    {
+        WarningInFunction
+            << name() << ": " << before << " particles have left before, of "
+            << "which " << io.objectPath() << " does not tell: counted from "
+            << "now on only" << endl;
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::functionObjects::captureEfficiency::captureEfficiency
+(
+    const word& name,
+    const Time& runTime,
+    const dictionary& dict
+)
+:
+    fvMeshFunctionObject(name, runTime, dict),
+    file_
+    (
+        runTime,
+        name,
+        "captureEfficiency",
+        "time_s,patch,dLow_m,dHigh_m,passed,captured,efficiency,low95,high95"
+    )
+{
+    read(dict);
+    readState();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::functionObjects::captureEfficiency::read(const dictionary& dict)
+{
+    fvMeshFunctionObject::read(dict);
+    cloudName_ = dict.lookupOrDefault<word>("cloud", "dust");
+
+    const scalarList diameters(dict.get<scalarList>("diameters"));
+    bool ascending = diameters.size() >= 2 && diameters[0] >= 0;
+    for (label i = 1; i < diameters.size(); ++i)
+    {
+        ascending = ascending && diameters[i] > diameters[i - 1];
+    }
+    if (!ascending || (passed_.size() && diameters != diameters_))
+    {
+        FatalIOErrorInFunction(dict)
+            << "keyword 'diameters': " << diameters
+            << (ascending ? " are others than before" : "") << nl
+            << "    allowed: two or more limits of classes in m, ascending, "
+            << "the same for the whole run" << exit(FatalIOError);
+    }
+    diameters_ = diameters;
+    return true;
+}
+
+
+bool Foam::functionObjects::captureEfficiency::execute()
+{
+    const dustCloud& cloud = mesh_.lookupObject<dustCloud>(cloudName_);
+
+    for (const scalar d : cloud.escapedInStep())
+    {
+        ++passed_[classOf(d)];
+    }
+    return true;
+}
+
+
+bool Foam::functionObjects::captureEfficiency::write()
+{
+    const dustCloud& cloud = mesh_.lookupObject<dustCloud>(cloudName_);
+    const polyBoundaryMesh& patches = mesh_.boundaryMesh();
+    const label classes = diameters_.size() - 1;
+
+    List<labelList> captured(patches.size(), labelList(classes + 1, 0));
+    label outside = passed_[classes];
+    for (const auto& p : cloud.snapshot().particles)
+    {
+        const label i = classOf(p.d);
+        outside += i == classes;
+        if (p.patch >= 0)
+        {
+            ++captured[p.patch][i];
+        }
+    }
+    if (outside)
+    {
+        Info<< name() << ": " << outside << " particles are in none of the "
+            << "classes of diameters" << endl;
+    }
+
+    for (const polyPatch& pp : patches)
+    {
+        if (!isA<wallPolyPatch>(pp))
+        {
+            continue;
+        }
+        for (label i = 0; i < classes; ++i)
+        {
+            const label k = captured[pp.index()][i];
+            const label n = k + passed_[i];
+            const wilsonInterval interval(k, n, 1.959964);
+
+            file_.row
+            (
+                time_.value(),
+                pp.name(),
+                diameters_[i],
+                diameters_[i + 1],
+                passed_[i],
+                k,
+                n ? scalar(k)/n : std::numeric_limits<scalar>::quiet_NaN(),
+                interval.low,
+                interval.high
+            );
+        }
+    }
+
+    if (time_.writeTime())
+    {
+        IOdictionary state(stateFile(IOobject::NO_READ));
+        state.add("diameters", diameters_);
+        state.add("passed", passed_);
+        state.regIOobject::write();
+    }
+    return true;
+}
+
+
+// ************************************************************************* //
