@@ -3,7 +3,6 @@
 
 #include "contactModels/contactModel/ContactLaw.hpp"
 
-#include <algorithm>
 #include <cstdint>
 
 namespace dem
@@ -26,14 +25,6 @@ struct ContactRecord
         f(s.history);
     }
 };
-
-//- The order in which a particle keeps them: by partner, then by normal
-inline bool before(const ContactRecord& a, const ContactRecord& b)
-{
-    return
-        a.idJ < b.idJ
-     || (a.idJ == b.idJ && std::lexicographical_compare(a.n, a.n + 3, b.n, b.n + 3));
-}
 
 //- What is remembered of a particle's contacts and rest
 struct RestState

@@ -288,11 +288,14 @@ void Contacts::storeAll(IslandState& state) const
     {
         store(state, list, k);
     });
-    const auto first = [](const StoredContact& a, const StoredContact& b)
+    const auto before = [](const StoredContact& a, const StoredContact& b)
     {
-        return before(a.record, b.record);
+        const ContactRecord &p = a.record, &q = b.record;
+        return
+            p.idJ < q.idJ
+         || (p.idJ == q.idJ && std::lexicographical_compare(p.n, p.n + 3, q.n, q.n + 3));
     };
-    for (auto& s : state.contacts.stored) std::stable_sort(s.begin(), s.end(), first);
+    for (auto& s : state.contacts.stored) std::stable_sort(s.begin(), s.end(), before);
 }
 
 }

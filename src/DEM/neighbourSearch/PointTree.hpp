@@ -27,6 +27,9 @@ public:
 
     std::size_t size() const { return size_; }
 
+    //- Point i, which is in, is at x, as far as places are told apart
+    bool holds(std::size_t i, const Vec3& x) const { return cells_[i] == cell(x); }
+
     //- Calls f(i) for each point inside the box, and perhaps for some close to it
     template<class F>
     void inside(const Box& box, F&& f) const;

@@ -178,7 +178,6 @@ void IslandMotion::load(IslandMembers& island, double dt)
         integrator_.addSurfaces(surfaces);
     }
 
-    kept_.assign(members.size(), {});
     for (std::size_t i = 0; i < members.size(); ++i)
     {
         for (const ContactRecord& c : members[i].contacts)
@@ -186,14 +185,9 @@ void IslandMotion::load(IslandMembers& island, double dt)
             int j = -1;
             if (c.wall < 0)
             {
-                // the partner has left the system: the contact has gone with it. That of the
-                // rim may only be elsewhere.
+                // the partner has left the system: the contact has gone with it
                 const auto found = local.find(c.idJ);
-                if (found == local.end())
-                {
-                    if (members[i].rim) kept_[i].push_back(c);
-                    continue;
-                }
+                if (found == local.end()) continue;
                 j = found->second;
             }
             integrator_.addContact(int(i), j, c);
@@ -216,12 +210,6 @@ void IslandMotion::integrate(IslandMembers& island, double dt, double now, bool 
         if (m.seen) continue;
         if (keepExchange) m.exchange = exchanges[i];
         m.contacts = integrator_.contacts(int(i));
-        if (!kept_[i].empty())
-        {
-            m.contacts.insert(m.contacts.end(), kept_[i].begin(), kept_[i].end());
-            std::sort(m.contacts.begin(), m.contacts.end(), before);
-        }
-        if (m.rim) continue;
         m.p = integrator_.particle(int(i));
         m.rest = integrator_.rest(int(i));
         m.outran = integrator_.outran(int(i));
@@ -265,11 +253,16 @@ void IslandMotion::integrateInParts
         const double start = moments[part], length = moments[part + 1] - start;
         if (!(length > 0)) continue;
         IslandMembers there;
-        for (const Member& m : island.members)
+        for (std::size_t k = 0; k < before.size(); ++k)
         {
+            const Member& m = island.members[k];
             if (m.delay > start) continue;
             there.members.push_back(m);
+            // of its width, what the parts before have left
             Corridor& c = there.members.back().corridor;
+            const Vec3 begun = before[k].p.x - before[k].delay*before[k].p.v;
+            const double off = periodic_.nearest(m.p.x - begun - start*c.v).norm();
+            c.near = std::max(c.width(start) - off, 0.0);
             c.from = std::max(c.from - start, 0.0);
         }
         if (there.members.empty()) continue;
@@ -296,15 +289,6 @@ void IslandMotion::integrateInParts
             *m = std::move(moved);
         }
         if (woke) return;
-    }
-
-    // Each part allows the whole width of the corridor: all together may not take more
-    for (std::size_t k = 0; k < before.size(); ++k)
-    {
-        Member& m = island.members[k];
-        const Vec3 begun = before[k].p.x - before[k].delay*before[k].p.v;
-        const double off = periodic_.nearest(m.p.x - begun - dt*m.corridor.v).norm();
-        if (off > m.corridor.width(dt)) m.outran = std::max(m.outran, off/dt);
     }
 }
 

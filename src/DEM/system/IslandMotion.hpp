@@ -64,7 +64,6 @@ private:
     const WallSearch& walls_;
     const Periodic& periodic_;
     Island integrator_;
-    std::vector<std::vector<ContactRecord>> kept_;  // by member: with whom is not here
 };
 
 }

@@ -107,6 +107,7 @@ ParticleStep::Work ParticleStep::sortOut() const
     {
         Member m = member(s.particle, s.component);
         m.seen = m.rim = true;
+        m.corridor = {Vec3::Zero(), 0, 0, 0};
         send(std::move(m), s.home);
     }
     for (Member& m : exchange_.exchange(away))
@@ -201,12 +202,10 @@ void ParticleStep::takeBack(const Member& m)
     const std::size_t i = m.index;
     store_.contacts[i] = m.contacts;
     store_.give(i, m.exchange);
-    if (m.rim) return;
-    const bool restsOn = store_.index.resting(i) && m.rest.resting && m.p.x == store_.particles[i].x;
     store_.particles[i] = m.p;
     store_.rest[i] = m.rest;
     if (periodic_.on()) store_.particles[i].x = periodic_.wrapped(m.p.x);
-    if (!restsOn) store_.changed(i);
+    store_.changed(i);
 }
 
 

@@ -34,7 +34,12 @@ void RestIndex::moves(std::size_t i)
 
 void RestIndex::rests(std::size_t i, const Vec3& x, double size)
 {
-    if (place_[i] < 0) tree_.remove(i);
+    if (place_[i] < 0)
+    {
+        around_.include({x, x});
+        if (tree_.holds(i, x)) return;
+        tree_.remove(i);
+    }
     else
     {
         const std::size_t last = awake_.back();

@@ -312,7 +312,15 @@ Entrance System::entrance
     const Box& box, double dt, double largest, double fastest
 ) const
 {
-    return {impl_->store.particles, impl_->walls, impl_->periodic, box, dt, largest, fastest};
+    const ParticleStore& store = impl_->store;
+    const Box around{box.low.array() - largest, box.high.array() + largest};
+    std::vector<Particle> particles;
+    for (const std::size_t i : store.index.awake()) particles.push_back(store.particles[i]);
+    store.index.near(around, impl_->periodic, [&](std::size_t i)
+    {
+        particles.push_back(store.particles[i]);
+    });
+    return {particles, impl_->walls, impl_->periodic, box, dt, largest, fastest};
 }
 
 

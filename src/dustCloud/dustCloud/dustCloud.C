@@ -37,6 +37,7 @@ License
 #include "StochasticCollisionModel.H"
 #include "SurfaceFilmModel.H"
 
+#include <algorithm>
 #include <cmath>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -213,6 +214,12 @@ void Foam::dustCloud::addArrivals()
 
 void Foam::dustCloud::removeLeavers()
 {
+    const auto end = leaving_.end();
+    if (std::find(leaving_.begin(), end, char(1)) == end)
+    {
+        return;
+    }
+
     // New index of those that stay
     labelList index(label(leaving_.size()), -1);
     label n = 0;
@@ -222,11 +229,6 @@ void Foam::dustCloud::removeLeavers()
         {
             index[i] = n++;
         }
-    }
-
-    if (n == index.size())
-    {
-        return;
     }
 
     dem_->system->remove(leaving_);

@@ -79,8 +79,9 @@ void Foam::dustCloud::setGasLoads
     {
         const label parceli = i++;
 
-        // At rest in a gas that does not change: nothing new
-        if (p.loaded() && gasFrozen_ && !d.dispersion)
+        // At rest in a gas that does not change (one that is solved: within
+        // the gas step): nothing new
+        if (p.loaded() && !twoWay_ && !d.dispersion)
         {
             continue;
         }

@@ -83,6 +83,8 @@ TEST(restIndex, findsAllAtRestWhateverComesGoesAndIsRemoved)
                 const double lot = random.uniform(0, 1);
                 if (lot < 0.3)
                 {
+                    // where it rests already, or elsewhere
+                    if (lot < 0.1) plain.x[i] = Vec3(0.5, 0.5, 0.5) + random.inBox(0.5);
                     index.rests(i, plain.x[i], plain.size[i]);
                     plain.rests[i] = 1;
                 }
