@@ -225,10 +225,7 @@ void Foam::dustCloud::removeLeavers()
     label n = 0;
     forAll(index, i)
     {
-        if (!leaving_[std::size_t(i)])
-        {
-            index[i] = n++;
-        }
+        index[i] = leaving_[std::size_t(i)] ? -1 : n++;
     }
 
     dem_->system->remove(leaving_);
