@@ -71,6 +71,7 @@ Usage
 #include "PhaseIncompressibleTurbulenceModel.H"
 #include "pimpleControl.H"
 #include "fvOptions.H"
+#include "extrapolatedCalculatedFvPatchFields.H"
 #include "gaussGrad.H"
 #include "linear.H"
 #include "clockTime.H"

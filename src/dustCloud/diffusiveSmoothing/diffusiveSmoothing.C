@@ -37,7 +37,7 @@ namespace Foam
 static const label nImplicit = 2;
 
 //- Explicit steps that are still cheaper than these
-static const label mostExplicit = 20;
+static const label mostExplicit = 100;
 
 } // End namespace Foam
 

@@ -20,6 +20,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "dustCloudData.H"
+#include "cellWall.H"
 #include "dustSnapshot.H"
 
 #include "fixedValueFvPatchFields.H"
@@ -94,11 +95,17 @@ void Foam::dustCloud::spreadVelocity()
     spreadUPtr_.reset(new volVectorField("dustU", U_));
     spreadUPtr_->primitiveFieldRef() = smoothingPtr_()(exchangePtr_->faces().seen(U_)());
     spreadUPtr_->correctBoundaryConditions();
-    tdPtr_->spreadUInterp = interpolation<vector>::New
-    (
-        word(solution_.interpolationSchemes().lookup("U")),
-        spreadUPtr_()
-    );
+
+    const word scheme(solution_.interpolationSchemes().lookup("U"));
+    if (scheme == cellWall<vector>::typeName)
+    {
+        tdPtr_->spreadUInterp.reset(new cellWall<vector>(spreadUPtr_(), true));
+    }
+    else
+    {
+        tdPtr_->spreadUInterp =
+            interpolation<vector>::New(scheme, spreadUPtr_());
+    }
 }
 
 
@@ -180,6 +187,7 @@ void Foam::dustCloud::closeExchange()
     for (dustParcel& p : *this)
     {
         place.moveTo(p.x(), p.cell());
+        exchangePtr_->give(place, p.given());
         exchangePtr_->respond(place, p.response(), p.mass(), p.held());
     }
     exchangePtr_->close
@@ -222,6 +230,17 @@ void Foam::dustCloud::receive(const volVectorField& UOld)
     exchangePtr_->balance();
     snapshotPtr_.reset();
     snapshotTimeIndex_ = -1;
+}
+
+
+void Foam::dustCloud::giveLast(dustParcel& p)
+{
+    if (twoWay_)
+    {
+        cellShares place(mesh_);
+        place.moveTo(p.position(), p.cell());
+        exchangePtr_->give(place, p.given());
+    }
 }
 
 

@@ -141,7 +141,6 @@ void Foam::dustCloud::takeMotion
 {
     dem::System& system = *dem_->system;
     const bool kicking = dem_->brownian;
-    cellShares place(mesh_);
     label i = 0;
 
     for (dustParcel& p : *this)
@@ -169,15 +168,9 @@ void Foam::dustCloud::takeMotion
 
         if (twoWay_)
         {
-            // In the cell where the step began
             const dem::GasExchange& e = system.gasExchange(index);
             const scalar flown = min(dt, dt + p.age());
-            place.moveTo(p.x(), p.cell());
-            exchangePtr_->give
-            (
-                place,
-                toVector(e.impulse) + kick - flown*nonCoupled[i]
-            );
+            p.given() += toVector(e.impulse) + kick - flown*nonCoupled[i];
             p.response() = p.response()*e.memory + e.response;
             p.held() = e.held;
             p.owed() = Zero;
@@ -370,6 +363,7 @@ void Foam::dustCloud::motion(dustParcel::trackingData& td)
         exchangePtr_->reset();
         for (dustParcel& p : *this)
         {
+            p.given() = Zero;
             p.response() = 0;
         }
     }

@@ -58,6 +58,7 @@ Foam::dustParcel::dustParcel
     state_(fresh),
     moved_(false),
     owed_(Zero),
+    given_(Zero),
     response_(0),
     held_(false),
     load_(scalar(0)),
@@ -80,6 +81,7 @@ Foam::dustParcel::dustParcel
     state_(fresh),
     moved_(false),
     owed_(Zero),
+    given_(Zero),
     response_(0),
     held_(false),
     load_(scalar(0)),
@@ -103,6 +105,7 @@ Foam::dustParcel::dustParcel
     state_(airborne),
     moved_(false),
     owed_(Zero),
+    given_(Zero),
     response_(0),
     held_(false),
     load_(scalar(0)),
@@ -114,8 +117,8 @@ Foam::dustParcel::dustParcel
     {
         if (is.format() == IOstream::ASCII)
         {
-            is >> omega_ >> x_ >> state_ >> moved_ >> owed_ >> response_ >> held_
-                >> load_;
+            is >> omega_ >> x_ >> state_ >> moved_ >> owed_ >> given_
+                >> response_ >> held_ >> load_;
         }
         else
         {
@@ -136,6 +139,7 @@ Foam::dustParcel::dustParcel(const dustParcel& p, const polyMesh& mesh)
     state_(p.state_),
     moved_(p.moved_),
     owed_(p.owed_),
+    given_(p.given_),
     response_(p.response_),
     held_(p.held_),
     load_(p.load_),
@@ -183,6 +187,7 @@ Foam::Ostream& Foam::operator<<(Ostream& os, const dustParcel& p)
             << token::SPACE << p.state_
             << token::SPACE << p.moved_
             << token::SPACE << p.owed_
+            << token::SPACE << p.given_
             << token::SPACE << p.response_
             << token::SPACE << p.held_
             << token::SPACE << p.load_;

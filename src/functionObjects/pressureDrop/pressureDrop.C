@@ -112,13 +112,9 @@ bool Foam::functionObjects::pressureDrop::write()
             << exit(FatalError);
     }
     const dustCloud& cloud = mesh_.lookupObject<dustCloud>(cloudName_);
-    const dimensionedScalar rhoInf
-    (
-        "rhoInf",
-        dimDensity,
-        mesh_.lookupObject<dictionary>("transportProperties")
-    );
-    const scalar drop = rhoInf.value()*(mean(from_) - mean(to_));
+    const scalar rho =
+        gAverage(mesh_.lookupObject<volScalarField>("rho").primitiveField());
+    const scalar drop = rho*(mean(from_) - mean(to_));
 
     scalar deposited = 0;
     for (const auto& p : cloud.snapshot().particles)

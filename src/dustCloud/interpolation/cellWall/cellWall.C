@@ -126,7 +126,8 @@ void Foam::cellWall<Type>::setProfiles()
 template<class Type>
 Foam::cellWall<Type>::cellWall
 (
-    const GeometricField<Type, fvPatchField, volMesh>& psi
+    const GeometricField<Type, fvPatchField, volMesh>& psi,
+    const bool bounded
 )
 :
     interpolation<Type>(psi),
@@ -148,7 +149,11 @@ Foam::cellWall<Type>::cellWall
             }
         }
     }
-    geometry_.gradients(psi.primitiveField(), boundary, gradients_);
+    geometry_.gradients(psi.primitiveField(), boundary, !bounded, gradients_);
+    if (bounded)
+    {
+        geometry_.ranges(psi.primitiveField(), boundary, low_, high_);
+    }
     setProfiles();
 }
 
@@ -166,21 +171,28 @@ Type Foam::cellWall<Type>::interpolate
     const Type& inside = this->psi_[celli];
     const vector d = position - geometry_.centre(celli);
     const nearWall* walls = geometry_.walls(celli);
+    Type there;
 
     if (!walls)
     {
-        return inside + (d & gradients_[celli]);
+        there = inside + (d & gradients_[celli]);
     }
-
-    const auto profile = profiles_.cfind(celli);
-    return walls->velocity
-    (
-        position,
-        d,
-        inside,
-        gradients_[celli],
-        profile.found() ? &*profile : nullptr
-    );
+    else
+    {
+        const auto profile = profiles_.cfind(celli);
+        there = walls->velocity
+        (
+            position,
+            d,
+            inside,
+            gradients_[celli],
+            profile.found() ? &*profile : nullptr
+        );
+    }
+    return
+        low_.empty()
+      ? there
+      : max(low_[celli], min(high_[celli], there));
 }
 
 

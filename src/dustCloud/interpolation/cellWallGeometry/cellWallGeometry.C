@@ -483,6 +483,7 @@ void Foam::cellWallGeometry::gradients
 (
     const UList<vector>& cells,
     const UList<vector>& boundary,
+    const bool solenoidal,
     List<tensor>& grad
 ) const
 {
@@ -502,11 +503,47 @@ void Foam::cellWallGeometry::gradients
         }
 
         const nearWall* near = walls(celli);
-        if (!near || near->slips())
+        if (solenoidal && (!near || near->slips()))
         {
             G -= (tr(G)/3)*tensor::I;
         }
         grad[celli] = G;
+    }
+}
+
+
+void Foam::cellWallGeometry::ranges
+(
+    const UList<vector>& cells,
+    const UList<vector>& boundary,
+    List<vector>& low,
+    List<vector>& high
+) const
+{
+    low = cells;
+    high = cells;
+
+    forAll(low, celli)
+    {
+        const auto add = [&](const vector& U)
+        {
+            low[celli] = min(low[celli], U);
+            high[celli] = max(high[celli], U);
+        };
+        for (label i = start_[celli]; i < start_[celli + 1]; ++i)
+        {
+            const label from = neighbours_[i].from;
+            add
+            (
+                from < cells.size()
+              ? cells[from]
+              : boundary[from - cells.size()]
+            );
+        }
+        if (walls(celli))
+        {
+            add(Zero);
+        }
     }
 }
 
