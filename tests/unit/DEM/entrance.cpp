@@ -241,17 +241,18 @@ TEST(entrance, hitsACakeAtRest)
         };
         load();
         for (int k = 0; k < 300; ++k) system.advance(1e-6);
-        dem::Particle top = {};
+        Vec3 top = Vec3::Zero();
         int atRest = 0;
         for (std::size_t i = 0; i < system.size(); ++i)
         {
-            const bool higher = system.particle(i).x.z() > top.x.z();
-            if (system.resting(i) && higher) top = system.particle(i);
+            const dem::Particle& p = system.particle(i);
+            const Vec3 at = p.x + Vec3(0, 0, p.radius);
+            if (system.resting(i) && at.z() > top.z()) top = at;
             atRest += system.resting(i);
         }
         EXPECT_GT(atRest, 50);
         // the second one enters when the first has woken some of the rim
-        const Vec3 x = top.x + Vec3(0, 0, top.radius + 1.2*r);
+        const Vec3 x = top + Vec3(0, 0, 1.2*r);
         const dem::Particle late[2] =
         {
             sphere(law, 5000, r, x, Vec3(0, 0, -8)),
