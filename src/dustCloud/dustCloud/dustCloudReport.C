@@ -23,7 +23,9 @@ License
 #include "dragRange.H"
 #include "patchCurvature.H"
 #include "dustSnapshot.H"
+#include "formatted.H"
 #include "modelTable.H"
+#include "runSummary.H"
 
 #include "InjectionModelList.H"
 #include "DispersionModel.H"
@@ -32,8 +34,6 @@ License
 #include "SurfaceFilmModel.H"
 
 #include <algorithm>
-#include <cstdarg>
-#include <cstdio>
 #include <map>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -41,37 +41,12 @@ License
 namespace Foam
 {
 
-//- Text by printf's rules: tables need fixed widths
-static std::string format(const char* text, ...)
-{
-    char buffer[512];
-    va_list arguments;
-    va_start(arguments, text);
-    vsnprintf(buffer, sizeof(buffer), text, arguments);
-    va_end(arguments);
-    return buffer;
-}
-
-
 static std::string duration(const scalar seconds)
 {
     return
-        seconds < 100 ? format("%.0f s", seconds)
-      : seconds < 6000 ? format("%.1f min", seconds/60)
-      : format("%.1f h", seconds/3600);
-}
-
-
-static std::string energyText(const dem::EnergyLedger& e)
-{
-    return format
-    (
-        "    energy [J]: kinetic %.3g, stored by normal forces %.3g and springs "
-        "%.3g, released %.3g, dashpots %.3g, yield %.3g, plastic %.3g, rest "
-        "%.3g; work of the gas %.3g, spring gain %.3g; residual %.2g",
-        e.kinetic, e.normal, e.springs, e.released, e.dashpots, e.yield,
-        e.plastic, e.rest, e.gas, e.springGain, e.residual()
-    );
+        seconds < 100 ? formatted("%.0f s", seconds)
+      : seconds < 6000 ? formatted("%.1f min", seconds/60)
+      : formatted("%.1f h", seconds/3600);
 }
 
 
@@ -80,60 +55,6 @@ static scalar percentile(const std::vector<double>& sorted, const scalar share)
 {
     const auto n = sorted.size();
     return sorted[std::min(n - 1, std::size_t(share*scalar(n)))];
-}
-
-//- A drag law that does not hold where the particles are now: which, and how
-//  many of them. Empty if all is well. Collective.
-static std::string denseDragRemark
-(
-    const dustCloud& cloud,
-    const dictionary& forces
-)
-{
-    const fvMesh& mesh = cloud.mesh();
-    scalar largest = 0;
-    for (const dustParcel& p : cloud)
-    {
-        largest = max(largest, p.d());
-    }
-    reduce(largest, maxOp<scalar>());
-
-    const diffusiveSmoothing smoothing(mesh, 3*largest);
-    cellShares place(mesh);
-    cellShares::sums<scalar> volume(mesh);
-    for (const dustParcel& p : cloud)
-    {
-        place.moveTo(p.x(), p.cell());
-        place.add(volume, p.volume());
-    }
-    place.close(volume);
-    const scalarField alpha(1 - smoothing(volume.cells/mesh.V()));
-
-    for (const entry& e : forces)
-    {
-        const dragRange* range = dragRange::find(e.keyword());
-        if (!range)
-        {
-            continue;
-        }
-        label n = 0;
-        scalar lowest = 1;
-        for (const dustParcel& p : cloud)
-        {
-            n += alpha[p.cell()] < range->minVoid;
-            lowest = min(lowest, alpha[p.cell()]);
-        }
-        reduce(n, sumOp<label>());
-        reduce(lowest, minOp<scalar>());
-        if (n)
-        {
-            return dragRange::voidFractionRemark
-            (
-                e.keyword(), lowest, format("%d particles in dense places", n)
-            );
-        }
-    }
-    return "";
 }
 
 } // End namespace Foam
@@ -176,7 +97,7 @@ void Foam::dustCloud::printMaterials() const
 
     const scalar speed = max(d.gasSpeed, VSMALL);
 
-    Info<< nl << format
+    Info<< nl << formatted
         (
             "Contacts at %.3g m/s (the fastest gas), chi %.3g%s",
             speed,
@@ -184,7 +105,7 @@ void Foam::dustCloud::printMaterials() const
             d.properties.automaticRatio()
           ? " (auto: the softest that keeps to the limits)"
           : ""
-        ).c_str() << nl << format
+        ).c_str() << nl << formatted
         (
             "  %-16s %9s %10s %10s %9s %9s %9s %9s %9s %9s %9s %9s",
             "pair", "d_m", "F_C_N", "F_C_real", "W_J/m2", "a0_m", "delta0_m",
@@ -255,7 +176,7 @@ void Foam::dustCloud::printMaterials() const
                     other.curvature
                 );
 
-                Info<< format
+                Info<< formatted
                     (
                         "  %-16s %9.3g %10.3g %10.3g %9.3g %9.3g %9.3g %9.3g "
                         "%9.3g %9.3g %9.3g %9.3g",
@@ -276,7 +197,7 @@ void Foam::dustCloud::printMaterials() const
                     (
                         particleProperties_.subDict("materials"),
                         table.materials()[std::size_t(i)].name,
-                        format
+                        formatted
                         (
                             "particles of %.3g m in contact %s overlap by "
                             "%.3g diameters (chi %.3g, effective Young's "
@@ -303,7 +224,7 @@ void Foam::dustCloud::printMaterials() const
             {
                 // overlaps grow as chi^(-2/5)
                 const scalar wanted = chi*pow(overlap/overlapLimit, 2.5);
-                advice += format
+                advice += formatted
                 (
                     "  Note: %s: an impact at %.3g m/s overlaps by %.2g of "
                     "d, limit %.2g; ",
@@ -311,15 +232,15 @@ void Foam::dustCloud::printMaterials() const
                 );
                 advice +=
                     wanted <= 1
-                  ? format("a chi of %.2g would keep it\n", wanted)
-                  : format("even chi 1 would not: the material is too soft\n");
+                  ? formatted("a chi of %.2g would keep it\n", wanted)
+                  : formatted("even chi 1 would not: the material is too soft\n");
             }
 
             // Where each adhesive law holds
             const bool jkr = normal == "JKR" || normal == "simplifiedJKR";
             if ((jkr && lowTabor < 3) || (normal == "DMT" && highTabor > 0.1))
             {
-                advice += format
+                advice += formatted
                 (
                     "  Warning: %s: %s with Tabor numbers of %.2g to %.2g; "
                     "JKR holds above 3, DMT below 0.1\n",
@@ -338,7 +259,7 @@ void Foam::dustCloud::printMaterials() const
                     d.properties.limits().pullOffOverForce,
                     wall
                 );
-                advice += format
+                advice += formatted
                 (
                     "  %s: pull-off force %.3g times the drag of one particle "
                     "(Stokes, fastest gas) needs chi >= %.2g\n",
@@ -352,7 +273,7 @@ void Foam::dustCloud::printMaterials() const
 
     if (chi < d.properties.limits().ratio)
     {
-        advice += format
+        advice += formatted
         (
             "  Warning: chi %.3g is below the limit %.3g\n",
             chi,
@@ -388,7 +309,7 @@ void Foam::dustCloud::printPlan() const
         const std::string& reason
     )
     {
-        Info<< format
+        Info<< formatted
             (
                 "  %-18s %-4s %s", feature, on ? "on" : "off", reason.c_str()
             ).c_str() << nl;
@@ -455,7 +376,7 @@ void Foam::dustCloud::printPlan() const
         (
             d.material, patch.material, *patch.curvature, r
         );
-        curved += format
+        curved += formatted
         (
             "%s%s: %s, R/r %.3g for the largest",
             curved.empty() ? "" : "; ",
@@ -484,7 +405,7 @@ void Foam::dustCloud::printPlan() const
     (
         "reduced stiffness",
         chi < 1,
-        format
+        formatted
         (
             "chi %.3g, surface energy %s, resistance %s",
             chi,
@@ -497,7 +418,7 @@ void Foam::dustCloud::printPlan() const
         "islands",
         d.properties.time().islands,
         d.properties.time().islands
-      ? format
+      ? formatted
         (
             "contact steps only where there is contact, %.3g per period, "
             "at most %.2g of the stability bound",
@@ -510,7 +431,7 @@ void Foam::dustCloud::printPlan() const
     (
         "rest",
         d.properties.time().restTolerance > 0,
-        format("restTolerance %.3g", d.properties.time().restTolerance)
+        formatted("restTolerance %.3g", d.properties.time().restTolerance)
     );
     {
         const dictionary& forces =
@@ -534,7 +455,7 @@ void Foam::dustCloud::printPlan() const
                 d.diameters[0],
                 forces.subOrEmptyDict(laws[0])
                .lookupOrDefault<scalar>("lambda", air),
-                format("the smallest particles, %.3g m,", d.diameters[0])
+                formatted("the smallest particles, %.3g m,", d.diameters[0])
             );
             if (!remark.empty())
             {
@@ -555,7 +476,7 @@ void Foam::dustCloud::printPlan() const
         )
       + (
             smoothingPtr_.valid()
-          ? format(", spread over %.3g m", smoothingPtr_->width())
+          ? formatted(", spread over %.3g m", smoothingPtr_->width())
           : ""
         )
     );
@@ -564,8 +485,8 @@ void Foam::dustCloud::printPlan() const
         "gravity",
         gMag > 0 && gravityForce,
         gMag <= 0 ? "g is zero or not given"
-      : gravityForce ? format("%.4g m/s2, with buoyancy", gMag)
-      : format("g is %.4g m/s2, but particleForces has no gravity", gMag)
+      : gravityForce ? formatted("%.4g m/s2, with buoyancy", gMag)
+      : formatted("g is %.4g m/s2, but particleForces has no gravity", gMag)
     );
     line
     (
@@ -583,7 +504,7 @@ void Foam::dustCloud::printPlan() const
       : "particleForces has no brownianMotion"
       + (
             d.diameters[0] > 0 && d.diameters[0] < 1e-6
-          ? format
+          ? formatted
             (
                 "; it matters below 1e-6 m, smallest d %.3g m",
                 d.diameters[0]
@@ -595,7 +516,7 @@ void Foam::dustCloud::printPlan() const
     (
         "parallel",
         Pstream::parRun(),
-        format("%d ranks", Pstream::parRun() ? Pstream::nProcs() : 1)
+        formatted("%d ranks", Pstream::parRun() ? Pstream::nProcs() : 1)
     );
     Info<< endl;
 }
@@ -628,7 +549,7 @@ void Foam::dustCloud::checkLimits()
     if (smallest < limits.pullOffOverForce)
     {
         ++d.marginSteps;
-        violation = format
+        violation = formatted
         (
             "a bonded particle's pull-off force is %.3g times the force on "
             "what it carries, limit %.3g",
@@ -655,7 +576,7 @@ void Foam::dustCloud::checkLimits()
         ++d.overlapSteps;
         if (!d.warnedOverlap || limits.stop)
         {
-            const string text = format
+            const string text = formatted
             (
                 "largest overlap %.3g of a diameter, limit %.3g",
                 overlap,
@@ -745,7 +666,7 @@ void Foam::dustCloud::printProgress()
     const scalar done =
         span > 0 ? min(scalar(1), (time.value() - d.startTime)/span) : 1;
 
-    Info<< format
+    Info<< formatted
         (
             "%s%s s (%.1f %%), left %s: airborne %d, deposited %d "
             "(in contact %d, resting %d), escaped %d",
@@ -762,283 +683,12 @@ void Foam::dustCloud::printProgress()
     }
     if (d.smallestMargin < GREAT)
     {
-        Info<< format(", smallest margin %.3g", d.smallestMargin).c_str();
+        Info<< formatted(", smallest margin %.3g", d.smallestMargin).c_str();
     }
     Info<< endl;
     if (keepsEnergyLedger() && time.writeTime())
     {
-        Info<< energyText(energyLedger()).c_str() << endl;
-    }
-}
-
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::dustCloud::summarise()
-{
-    demData& d = *dem_;
-    const dustSnapshot& state = snapshot();
-
-    const label inCloud = returnReduce(this->size(), sumOp<label>());
-    const label inSystem =
-        returnReduce(label(d.system->size()), sumOp<label>());
-    const tally out = escaped();
-
-    dem::StepReport totals = d.totals;
-    reduce(totals.maxOverlapOverDiameter, maxOp<scalar>());
-    reduce(totals.minStepsPerContact, minOp<scalar>());
-    reduce(totals.maxStepOverBound, maxOp<scalar>());
-    reduce(totals.energyRemovedByRest, sumOp<scalar>());
-    const auto sum = [](const scalar mine)
-    {
-        return returnReduce(mine, sumOp<scalar>());
-    };
-    const scalar contactSteps = sum(totals.contactSteps);
-    const scalar contactUpdates = sum(totals.contactUpdates);
-    const scalar freeFlights = sum(totals.freeFlights);
-    const scalar touches = sum(totals.touches);
-    const scalar touchSpeed = sum(totals.touchSpeed)/max(touches, 1.0);
-    const scalar touchSpeedSquare = sum(totals.touchSpeedSquare)/max(touches, 1.0);
-    const scalar followers = sum(totals.followerTouches);
-    const scalar separations = sum(totals.separations);
-    const scalar aggregateFlights = sum(totals.aggregateFlights);
-    const scalar repeats = sum(totals.repeats);
-    const scalar sleeps = sum(totals.sleeps);
-    const scalar wakes = sum(totals.wakes);
-    const label offMesh = returnReduce(d.offMesh, sumOp<label>());
-
-    tally airborne, deposited;
-    std::map<label, tally> patches;
-    std::map<label, label> sizes;
-    {
-        std::map<int64_t, label> members;
-        for (const auto& p : state.particles)
-        {
-            tally& where = p.patch < 0 ? airborne : deposited;
-            ++where.count;
-            where.mass += p.mass;
-            if (p.patch >= 0)
-            {
-                ++patches[p.patch].count;
-                patches[p.patch].mass += p.mass;
-            }
-            ++members[p.cluster];
-        }
-        for (const auto& m : members)
-        {
-            ++sizes[m.second];
-        }
-    }
-
-    const auto row = [](const std::string& name, const tally& t)
-    {
-        Info<< format("  %-28s %10d %14.6g", name.c_str(), t.count, t.mass)
-            .c_str() << nl;
-    };
-
-    Info<< nl << format("  %-28s %10s %14s", "Balance", "particles", "kg")
-        .c_str() << nl;
-    row("injected", injected_);
-    row("airborne", airborne);
-    row("deposited", deposited);
-    for (const auto& p : patches)
-    {
-        row("  on " + mesh_.boundaryMesh()[p.first].name(), p.second);
-    }
-    row("escaped", out);
-    forAll(escaped_, patchi)
-    {
-        if (escaped_[patchi].count)
-        {
-            row
-            (
-                "  through " + mesh_.boundaryMesh()[patchi].name(),
-                escaped_[patchi]
-            );
-        }
-    }
-    for (const word& name : escapedBefore_.sortedToc())
-    {
-        row("  through " + name + ", now gone", escapedBefore_[name]);
-    }
-    row("refused at injection", refused_);
-
-    // Aggregates: 1, 2, 3, 4, 5-8, 9-16, ...
-    Info<< nl << format
-        (
-            "  %-28s %10s %14s", "Aggregates", "number", "particles"
-        ).c_str() << nl;
-    for (label low = 1, high = 1; !sizes.empty() && low <= sizes.rbegin()->first;)
-    {
-        label number = 0;
-        label members = 0;
-        for (auto s = sizes.lower_bound(low); s != sizes.upper_bound(high); ++s)
-        {
-            number += s->second;
-            members += s->first*s->second;
-        }
-        if (number)
-        {
-            Info<< format
-                (
-                    "  %-28s %10d %14d",
-                    (
-                        low == high
-                      ? format("of %d", low)
-                      : format("of %d to %d", low, high)
-                    ).c_str(),
-                    number,
-                    members
-                ).c_str() << nl;
-        }
-        low = high + 1;
-        high = low <= 4 ? low : 2*(low - 1);
-    }
-
-    const scalar total = d.running.seconds();
-    const auto share = [total](const char* name, const scalar seconds)
-    {
-        Info<< format
-            (
-                "  %-28s %10.1f %13.1f%%",
-                name,
-                seconds,
-                100*seconds/max(total, VSMALL)
-            ).c_str() << nl;
-    };
-    const scalar contact = totals.secondsContact;
-    const scalar search = totals.secondsSearch;
-    const scalar flight = totals.secondsFlight;
-
-    Info<< nl << format("  %-28s %10s %14s", "Run time (master)", "s", "share")
-        .c_str() << nl;
-    share("gas", d.gasSeconds);
-    share("injection", d.injectionSeconds);
-    share("gas forces", d.forceSeconds);
-    share("DEM: contacts", contact);
-    share("DEM: search", search);
-    share("DEM: free flight", flight);
-    share("DEM: exchange and waiting", d.demSeconds - contact - search - flight);
-    share("tracking", d.trackSeconds);
-    share("checks and progress", d.checkSeconds);
-    share("writing", d.ioSeconds);
-    share
-    (
-        "other",
-        total - d.gasSeconds - d.injectionSeconds - d.forceSeconds
-      - d.demSeconds - d.trackSeconds - d.checkSeconds - d.ioSeconds
-    );
-    share("total", total);
-
-    Info<< nl << "  Work and error indicators of this run" << nl
-        << format
-        (
-            "    particle steps %d (repeated %.3g), free flights %.3g of particles, "
-            "%.3g of aggregates, contact steps %.3g, contact updates %.3g\n"
-            "    touches %.3g, separations %.3g, sleeps %.3g, wakes %.3g\n"
-            "    speed at touch %.3g m/s, standard deviation %.3g m/s\n"
-            "    touches of walls by particles that follow the gas (tau_p v_n < r) "
-            "%.3g\n"
-            "    largest overlap/d %.3g, fewest steps per contact period %s, "
-            "largest step/stability bound %.3g, energy removed by rest %.3g J\n",
-            d.particleSteps, repeats, freeFlights, aggregateFlights, contactSteps,
-            contactUpdates, touches, separations, sleeps, wakes, touchSpeed,
-            std::sqrt(max(touchSpeedSquare - sqr(touchSpeed), 0.0)),
-            followers,
-            totals.maxOverlapOverDiameter,
-            totals.minStepsPerContact < 1e100
-          ? format("%.3g", totals.minStepsPerContact).c_str()
-          : "-",
-            totals.maxStepOverBound,
-            totals.energyRemovedByRest
-        ).c_str();
-    if (keepsEnergyLedger())
-    {
-        Info<< energyText(energyLedger()).c_str() << nl;
-    }
-    const std::string dense
-    (
-        denseDragRemark(*this, subModelProperties_.subDict("particleForces"))
-    );
-    if (!dense.empty())
-    {
-        Info<< "    Warning: " << dense.c_str() << nl;
-    }
-    if (twoWay_)
-    {
-        Info<< format
-            (
-                "    momentum given by the gas and got by the particles differ "
-                "by at most %.2g of what was exchanged in a gas step\n",
-                exchangePtr_->imbalance()
-            ).c_str();
-    }
-    if (offMesh)
-    {
-        Info<< "    centre outside the mesh after a particle step: "
-            << offMesh << " times" << nl;
-    }
-
-    const bool closes =
-        injected_.count == inCloud + out.count
-     && inCloud == inSystem
-     && (
-            !Pstream::master()
-         || airborne.count + deposited.count == inCloud
-        );
-
-    Info<< nl << "Verdict: ";
-    if (closes)
-    {
-        Info<< "balance closes (" << injected_.count << " injected = "
-            << airborne.count << " airborne + " << deposited.count
-            << " deposited + " << out.count << " escaped)";
-    }
-    else
-    {
-        Info<< "BALANCE DOES NOT CLOSE";
-    }
-    if (!injected_.count && injectors_.size())
-    {
-        Info<< "; NOTHING WAS INJECTED";
-    }
-    Info<< leftOut().c_str();
-    const bool within =
-        !d.marginSteps && !d.overlapSteps && !d.ratioBelowLimit;
-    if (within)
-    {
-        Info<< "; all limits kept";
-    }
-    else
-    {
-        Info<< "; limits exceeded: margin in " << d.marginSteps
-            << " gas steps (smallest "
-            << (
-                   d.smallestMargin < GREAT
-                 ? format("%.3g", d.smallestMargin)
-                 : std::string("-")
-               ).c_str()
-            << "), overlap in " << d.overlapSteps << ", chi "
-            << (d.ratioBelowLimit ? "below" : "within") << " its limit";
-    }
-    if (followers && !d.dispersion)
-    {
-        // Neither inertia nor a force: their radius, or an error of the gas
-        // velocity at the walls
-        Info<< "; " << label(followers) << " touches of walls by particles"
-            << " that follow the gas (tau_p v_n < r): interception, or numerics"
-            << " if it does not stay with a finer mesh";
-    }
-    Info<< nl << endl;
-
-    if (!closes)
-    {
-        FatalErrorInFunction
-            << "The particle balance does not close: injected "
-            << injected_.count << ", in the cloud " << inCloud
-            << ", in the DEM system " << inSystem << ", airborne "
-            << airborne.count << ", deposited " << deposited.count
-            << ", escaped " << out.count << exit(FatalError);
+        Info<< runSummary::energyText(energyLedger()).c_str() << endl;
     }
 }
 

@@ -1,0 +1,304 @@
+/*---------------------------------------------------------------------------*\
+    dustFoam: adhesive dust in ventilation ducts
+-------------------------------------------------------------------------------
+License
+    This file is part of dustFoam.
+
+    dustFoam is free software: you can redistribute it and/or modify it under
+    the terms of the GNU General Public License as published by the Free
+    Software Foundation, either version 3 of the License, or (at your option)
+    any later version.
+
+    dustFoam is distributed in the hope that it will be useful, but WITHOUT ANY
+    WARRANTY; without even the implied warranty of MERCHANTABILITY or FITNESS
+    FOR A PARTICULAR PURPOSE.  See the GNU General Public License for more
+    details.
+
+    You should have received a copy of the GNU General Public License along
+    with dustFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "dustCloudData.H"
+#include "dragRange.H"
+#include "dustSnapshot.H"
+#include "formatted.H"
+#include "runSummary.H"
+
+#include "DispersionModel.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- Of all ranks; times of this one
+static dem::StepReport ofAllRanks(dem::StepReport r)
+{
+    for
+    (
+        std::int64_t* n :
+        {
+            &r.contactSteps, &r.contactUpdates, &r.freeFlights,
+            &r.aggregateFlights, &r.repeats, &r.touches, &r.followerTouches,
+            &r.separations, &r.sleeps, &r.wakes
+        }
+    )
+    {
+        *n = std::int64_t(returnReduce(scalar(*n), sumOp<scalar>()));
+    }
+    for (double* x : {&r.touchSpeed, &r.touchSpeedSquare, &r.energyRemovedByRest})
+    {
+        reduce(*x, sumOp<scalar>());
+    }
+    reduce(r.maxOverlapOverDiameter, maxOp<scalar>());
+    reduce(r.minStepsPerContact, minOp<scalar>());
+    reduce(r.maxStepOverBound, maxOp<scalar>());
+    return r;
+}
+
+
+//- A drag law that does not hold where the particles are now: which, and how
+//  many of them. Empty if all is well. Collective.
+static std::string denseDragRemark
+(
+    const dustCloud& cloud,
+    const dictionary& forces
+)
+{
+    const fvMesh& mesh = cloud.mesh();
+    scalar largest = 0;
+    for (const dustParcel& p : cloud)
+    {
+        largest = max(largest, p.d());
+    }
+    reduce(largest, maxOp<scalar>());
+
+    const diffusiveSmoothing smoothing(mesh, 3*largest);
+    cellShares place(mesh);
+    cellShares::sums<scalar> volume(mesh);
+    for (const dustParcel& p : cloud)
+    {
+        place.moveTo(p.x(), p.cell());
+        place.add(volume, p.volume());
+    }
+    place.close(volume);
+    const scalarField alpha(1 - smoothing(volume.cells/mesh.V()));
+
+    for (const entry& e : forces)
+    {
+        const dragRange* range = dragRange::find(e.keyword());
+        if (!range)
+        {
+            continue;
+        }
+        label n = 0;
+        scalar lowest = 1;
+        for (const dustParcel& p : cloud)
+        {
+            n += alpha[p.cell()] < range->minVoid;
+            lowest = min(lowest, alpha[p.cell()]);
+        }
+        reduce(n, sumOp<label>());
+        reduce(lowest, minOp<scalar>());
+        if (n)
+        {
+            return dragRange::voidFractionRemark
+            (
+                e.keyword(), lowest, formatted("%d particles in dense places", n)
+            );
+        }
+    }
+    return "";
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::dustCloud::summarise()
+{
+    demData& d = *dem_;
+    runSummary summary;
+    const label inCloud = returnReduce(this->size(), sumOp<label>());
+    const label inSystem =
+        returnReduce(label(d.system->size()), sumOp<label>());
+    const tally out = escaped();
+
+    // Balance and aggregates
+
+    tally airborne, deposited;
+    std::map<label, tally> patches;
+    std::map<int64_t, label> members;
+    for (const auto& p : snapshot().particles)
+    {
+        tally& where = p.patch < 0 ? airborne : deposited;
+        ++where.count;
+        where.mass += p.mass;
+        if (p.patch >= 0)
+        {
+            ++patches[p.patch].count;
+            patches[p.patch].mass += p.mass;
+        }
+        ++members[p.cluster];
+    }
+    for (const auto& m : members)
+    {
+        ++summary.aggregates[m.second];
+    }
+
+    const auto row = [&](const std::string& name, const tally& t)
+    {
+        summary.balance.push_back({name, t.count, t.mass});
+    };
+    const auto patch = [&](const label i)
+    {
+        return mesh_.boundaryMesh()[i].name();
+    };
+    row("injected", injected_);
+    row("airborne", airborne);
+    row("deposited", deposited);
+    for (const auto& p : patches)
+    {
+        row("  on " + patch(p.first), p.second);
+    }
+    row("escaped", out);
+    forAll(escaped_, patchi)
+    {
+        if (escaped_[patchi].count)
+        {
+            row("  through " + patch(patchi), escaped_[patchi]);
+        }
+    }
+    for (const word& name : escapedBefore_.sortedToc())
+    {
+        row("  through " + name + ", now gone", escapedBefore_[name]);
+    }
+    row("refused at injection", refused_);
+
+    // Run time, work
+
+    const dem::StepReport& w = d.totals;
+    summary.parts =
+    {
+        {"gas", d.gasSeconds},
+        {"injection", d.injectionSeconds},
+        {"gas forces", d.forceSeconds},
+        {"DEM: contacts", w.secondsContact},
+        {"DEM: search", w.secondsSearch},
+        {"DEM: free flight", w.secondsFlight},
+        {
+            "DEM: exchange and waiting",
+            d.demSeconds - w.secondsContact - w.secondsSearch - w.secondsFlight
+        },
+        {"tracking", d.trackSeconds},
+        {"checks and progress", d.checkSeconds},
+        {"writing", d.ioSeconds}
+    };
+    summary.seconds = d.running.seconds();
+    summary.work = ofAllRanks(w);
+    summary.particleSteps = d.particleSteps;
+    summary.offMesh = returnReduce(d.offMesh, sumOp<label>());
+    summary.imbalance = twoWay_ ? exchangePtr_->imbalance() : -1;
+    summary.smallestMargin = d.smallestMargin;
+    summary.marginSteps = d.marginSteps;
+    summary.overlapSteps = d.overlapSteps;
+
+    if (keepsEnergyLedger())
+    {
+        summary.remarks += runSummary::energyText(energyLedger()) + "\n";
+    }
+    const std::string dense
+    (
+        denseDragRemark(*this, subModelProperties_.subDict("particleForces"))
+    );
+    if (!dense.empty())
+    {
+        summary.remarks += "    Warning: " + dense + "\n";
+    }
+
+    summary.closes =
+        injected_.count == inCloud + out.count
+     && inCloud == inSystem
+     && (
+            !Pstream::master()
+         || airborne.count + deposited.count == inCloud
+        );
+
+    summary.print(Info());
+    if (Pstream::master())
+    {
+        const fileName folder(mesh_.time().globalPath()/"postProcessing");
+        mkDir(folder);
+        summary.write(folder/"summary.csv");
+    }
+    printVerdict(summary, airborne, deposited);
+
+    if (!summary.closes)
+    {
+        FatalErrorInFunction
+            << "The particle balance does not close: injected "
+            << injected_.count << ", in the cloud " << inCloud
+            << ", in the DEM system " << inSystem << ", airborne "
+            << airborne.count << ", deposited " << deposited.count
+            << ", escaped " << out.count << exit(FatalError);
+    }
+}
+
+
+void Foam::dustCloud::printVerdict
+(
+    const runSummary& summary,
+    const tally& airborne,
+    const tally& deposited
+) const
+{
+    const demData& d = *dem_;
+
+    Info<< nl << "Verdict: ";
+    if (summary.closes)
+    {
+        Info<< "balance closes (" << injected_.count << " injected = "
+            << airborne.count << " airborne + " << deposited.count
+            << " deposited + " << escaped().count << " escaped)";
+    }
+    else
+    {
+        Info<< "BALANCE DOES NOT CLOSE";
+    }
+    if (!injected_.count && injectors_.size())
+    {
+        Info<< "; NOTHING WAS INJECTED";
+    }
+    Info<< leftOut().c_str();
+    if (!d.marginSteps && !d.overlapSteps && !d.ratioBelowLimit)
+    {
+        Info<< "; all limits kept";
+    }
+    else
+    {
+        Info<< "; limits exceeded: margin in " << d.marginSteps
+            << " gas steps (smallest "
+            << (
+                   d.smallestMargin < GREAT
+                 ? formatted("%.3g", d.smallestMargin)
+                 : std::string("-")
+               ).c_str()
+            << "), overlap in " << d.overlapSteps << ", chi "
+            << (d.ratioBelowLimit ? "below" : "within") << " its limit";
+    }
+    const label followers = label(summary.work.followerTouches);
+    if (followers && !d.dispersion)
+    {
+        // Neither inertia nor a force: their radius, or an error of the gas
+        // velocity at the walls
+        Info<< "; " << followers << " touches of walls by particles"
+            << " that follow the gas (tau_p v_n < r): interception, or numerics"
+            << " if it does not stay with a finer mesh";
+    }
+    Info<< nl << endl;
+}
+
+
+// ************************************************************************* //
