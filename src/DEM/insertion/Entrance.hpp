@@ -30,7 +30,8 @@ class Entrance
 public:
 
     //- New spheres, none of more than `largest` radius [m], at most `fastest` [m/s], may be at
-    //  the places in the box within the next dt [s]. The walls are not copied.
+    //  the places in the box within the next dt [s]; particles: at least all whose way in that
+    //  time comes near. The walls are not copied.
     Entrance
     (
         const std::vector<Particle>& particles, const WallSearch& walls,

@@ -35,7 +35,7 @@ void Island::run(double dt, double time, StepReport& report)
 {
     begin(dt, time);
     firstContacts(report);
-    while (control_.left() > 0 && !state_.awake.empty())
+    while (control_.left() > 0 && !state_.awake.empty() && !rimWoke_)
     {
         const Step step = control_.next(state_, propagator_, candidates_, report);
         take(step, report);
@@ -44,14 +44,17 @@ void Island::run(double dt, double time, StepReport& report)
         // what begins after a flight must not act over all of it
         if (control_.exactEvents() || step.flight) propagator_.complete(state_);
         wake(rest_.overloaded(state_, boundary_.list()), report);
+        if (rimWoke_) break;
         if (update(report).any())
         {
             propagator_.forgetLoads();
             control_.event();
         }
+        if (rimWoke_) break;
         settle(report);
     }
-    finish(dt, time, report);
+    if (rimWoke_) candidates_.noteOutran(state_);
+    else finish(dt, time, report);
 }
 
 
@@ -97,7 +100,7 @@ Changes Island::update(StepReport& report)
 {
     Changes changes;
     if (ended_) endContacts(changes, report);
-    beginContacts(changes, report);
+    if (!rimWoke_) beginContacts(changes, report);
     return changes;
 }
 
@@ -163,10 +166,23 @@ void Island::noteTouches(const std::vector<Touch>& touches, StepReport& report) 
 
 // * * * * * * * * * * * * * * * * * * Rest * * * * * * * * * * * * * * * * * * * * * * //
 
+bool Island::findAtRim(const std::vector<int>& woken)
+{
+    for (const int i : woken)
+    {
+        const std::size_t k = std::size_t(i);
+        if (!rim_[k]) continue;
+        wokeAtRim_[k] = 1;
+        rimWoke_ = true;
+    }
+    return rimWoke_;
+}
+
+
 //- Loads are as they were: what the frozen contacts gave, they go on giving
 void Island::wake(std::vector<int> woken, StepReport& report)
 {
-    if (woken.empty()) return;
+    if (woken.empty() || findAtRim(woken)) return;
     propagator_.complete(state_);
     rest_.wake(state_, woken, report);
     propagator_.awakeChanged();
@@ -196,7 +212,8 @@ void Island::settle(StepReport& report)
 void Island::begin(double dt, double time)
 {
     state_.phase = {};
-    ended_ = false;
+    ended_ = rimWoke_ = false;
+    wokeAtRim_.assign(state_.particles.size(), 0);
     setBodies(state_);
     boundary_.begin(state_);
     rest_.begin(state_);
@@ -212,6 +229,7 @@ void Island::firstContacts(StepReport& report)
     std::vector<int> disturbed = rest_.disturbed(state_);
     if (disturbed.empty()) boundary_.find(state_, candidates_.walls());
     else wake(std::move(disturbed), report);
+    if (rimWoke_) return;
     boundary_.load(state_);
     ended_ = forces_.evaluate(state_, {}, report);
     update(report);
@@ -258,6 +276,7 @@ void Island::clear()
     state_.reach.clear();
     state_.rest.clear();
     state_.impulse.clear();
+    rim_.clear();
     ContactStore& store = state_.contacts;
     for (ContactStore::Lists& l : store.lists)
     {
@@ -273,9 +292,11 @@ void Island::clear()
 
 void Island::addParticle
 (
-    const Particle& p, const GasLoad& g, const RestState& rest, const Corridor& corridor
+    const Particle& p, const GasLoad& g, const RestState& rest, const Corridor& corridor,
+    bool rim
 )
 {
+    rim_.push_back(rim);
     state_.particles.push_back(p);
     state_.gas.push_back(g);
     state_.reach.push_back(env_.materials.reach(p.material, p.radius, env_.walls.walls()));

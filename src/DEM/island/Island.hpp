@@ -49,11 +49,12 @@ public:
 
         void clear();
 
-        //- Particles in order of id. corridor: where it can get in this step
+        //- Particles in order of id. corridor: where it can get in this step; rim: it is at
+        //  rest, and must not wake, as what is beyond it is not here
         void addParticle
         (
             const Particle& p, const GasLoad& g, const RestState& rest,
-            const Corridor& corridor = {}
+            const Corridor& corridor = {}, bool rim = false
         );
 
         //- Surfaces that the last particle can reach in this step
@@ -63,7 +64,8 @@ public:
         void addContact(int i, int j, const ContactRecord& record);
 
 
-    //- Move everything over dt; time [s] is only for messages. Errors: numericalError
+    //- Move everything over dt; time [s] is only for messages. It ends at once where one of the
+    //  rim would wake (wokeAtRim): nothing else holds then. Errors: numericalError
     void run(double dt, double time, StepReport& report);
 
 
@@ -82,6 +84,8 @@ public:
         //  has not
         double outran(int i) const { return candidates_.outran(std::size_t(i)); }
 
+        bool wokeAtRim(int i) const { return wokeAtRim_[std::size_t(i)]; }
+
         //- Contacts of particle i as the lower partner
         std::vector<ContactRecord> contacts(int i) const;
 
@@ -97,6 +101,7 @@ private:
     void beginContacts(Changes& changes, StepReport& report);
     void noteTouches(const std::vector<Touch>& touches, StepReport& report) const;
     void wake(std::vector<int> woken, StepReport& report);
+    bool findAtRim(const std::vector<int>& woken);
     void settle(StepReport& report);
     void finish(double dt, double time, StepReport& report);
     void takeBack();
@@ -111,6 +116,8 @@ private:
     StepControl control_;
     Rest rest_;
     EnergyAccount account_;
+    std::vector<char> rim_, wokeAtRim_;     // by particle
+    bool rimWoke_ = false;      // one of them has
     bool ended_ = false;        // the last forces have marked contacts that end
 };
 

@@ -17,6 +17,7 @@ void BoxGrid::build(const Periodic& periodic)
     periodic_ = periodic;
     farthest_ = 0;
     entries_.clear();
+    middles_.clear();
     if (boxes_.empty()) return;
     if (periodic_.on())
     {
@@ -25,7 +26,7 @@ void BoxGrid::build(const Periodic& periodic)
         for (std::size_t i = 0; i < boxes_.size(); ++i)
         {
             bool first = true;      // the box itself
-            images(boxes_[i], [&](const Box& image)
+            periodicImages(boxes_[i], periodic_, [&](const Box& image)
             {
                 if (!first)
                 {

@@ -44,6 +44,34 @@ struct Box
 };
 
 
+//- Calls f(image of b) for b and its images that reach into the period
+template<class F>
+void periodicImages(const Box& b, const Periodic& periodic, F&& f)
+{
+    double shifts[3][3];
+    int n[3];
+    for (int d = 0; d < 3; ++d)
+    {
+        n[d] = 0;
+        shifts[d][n[d]++] = 0;
+        const double length = periodic.length[d];
+        if (!(length > 0)) continue;
+        if (b.low[d] < periodic.low[d]) shifts[d][n[d]++] = length;
+        if (b.high[d] > periodic.low[d] + length) shifts[d][n[d]++] = -length;
+    }
+    for (int x = 0; x < n[0]; ++x)
+    {
+        for (int y = 0; y < n[1]; ++y)
+        {
+            for (int z = 0; z < n[2]; ++z)
+            {
+                f(b.moved(Vec3(shifts[0][x], shifts[1][y], shifts[2][z])));
+            }
+        }
+    }
+}
+
+
 //- Boxes sorted by their middles into cells as large as the largest box
 class BoxGrid
 {
@@ -86,10 +114,6 @@ private:
 
     void sort();
 
-    //- Calls f(image of b) for b and its images that reach into the period
-    template<class F>
-    void images(const Box& b, F&& f) const;
-
     const std::vector<Box>& boxes_;
     Periodic periodic_;
     std::vector<Box> all_;          // with images, where there is a period
@@ -107,7 +131,7 @@ template<class Found>
 void BoxGrid::pairs(Found&& found) const
 {
     const std::vector<Box>& boxes = periodic_.on() ? all_ : boxes_;
-    const int n = int(boxes_.size());
+    const int n = int(middles_.size());
     const auto who = [&](int i) { return i < n ? i : original_[std::size_t(i - n)]; };
     const auto test = [&](int a, int b)
     {
@@ -153,40 +177,13 @@ void BoxGrid::pairs(Found&& found) const
 }
 
 
-template<class F>
-void BoxGrid::images(const Box& b, F&& f) const
-{
-    double shifts[3][3];
-    int n[3];
-    for (int d = 0; d < 3; ++d)
-    {
-        n[d] = 0;
-        shifts[d][n[d]++] = 0;
-        const double length = periodic_.length[d];
-        if (!(length > 0)) continue;
-        if (b.low[d] < periodic_.low[d]) shifts[d][n[d]++] = length;
-        if (b.high[d] > periodic_.low[d] + length) shifts[d][n[d]++] = -length;
-    }
-    for (int x = 0; x < n[0]; ++x)
-    {
-        for (int y = 0; y < n[1]; ++y)
-        {
-            for (int z = 0; z < n[2]; ++z)
-            {
-                f(b.moved(Vec3(shifts[0][x], shifts[1][y], shifts[2][z])));
-            }
-        }
-    }
-}
-
-
 template<class Found>
 void BoxGrid::overlapping(const Box& b, Found&& found) const
 {
     const double half = farthest_;
     // boxes that stick out of the period reach b from the other side
     const Box wide{b.low.array() - half, b.high.array() + half};
-    images(wide, [&](const Box& region)
+    periodicImages(wide, periodic_, [&](const Box& region)
     {
         const Box image{region.low.array() + half, region.high.array() - half};
         std::int64_t from[3], to[3];
@@ -207,7 +204,7 @@ void BoxGrid::overlapping(const Box& b, Found&& found) const
                 );
                 for (; e != entries_.end() && e->key <= last; ++e)
                 {
-                    if (std::size_t(e->box) >= boxes_.size()) continue;
+                    if (std::size_t(e->box) >= middles_.size()) continue;  // an image
                     if (boxes_[std::size_t(e->box)].overlaps(image)) found(e->box);
                 }
             }

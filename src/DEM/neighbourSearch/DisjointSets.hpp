@@ -21,6 +21,9 @@ public:
         std::iota(parent_.begin(), parent_.end(), std::size_t(0));
     }
 
+    //- One more, alone
+    void add() { parent_.push_back(parent_.size()); }
+
     std::size_t find(std::size_t i)
     {
         while (parent_[i] != i)

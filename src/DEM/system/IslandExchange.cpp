@@ -66,28 +66,15 @@ const Component* JoinedComponents::find(std::int64_t id) const
 }
 
 
-std::vector<std::size_t> IslandExchange::reachOthers(const std::vector<Box>& boxes) const
+std::vector<Box> IslandExchange::domains(const Box& mine) const
 {
-    std::vector<double> mine;
-    if (!boxes.empty())
+    std::vector<double> numbers;
+    pack(mine.low, numbers);
+    pack(mine.high, numbers);
+    std::vector<Box> result;
+    for (const auto& d : communicator_.allGather(numbers))
     {
-        Box all = boxes[0];
-        for (const Box& b : boxes) all.include(b);
-        pack(all.low, mine);
-        pack(all.high, mine);
-    }
-    const auto domains = communicator_.allGather(mine);
-    std::vector<std::size_t> result;
-    for (std::size_t i = 0; i < boxes.size(); ++i)
-    {
-        bool out = false;
-        for (int r = 0; r < communicator_.size() && !out; ++r)
-        {
-            const auto& d = domains[std::size_t(r)];
-            if (r == communicator_.rank() || d.empty()) continue;
-            out = boxes[i].overlaps({{d[0], d[1], d[2]}, {d[3], d[4], d[5]}});
-        }
-        if (out) result.push_back(i);
+        result.push_back({{d[0], d[1], d[2]}, {d[3], d[4], d[5]}});
     }
     return result;
 }

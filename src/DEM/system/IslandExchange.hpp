@@ -27,6 +27,9 @@ struct Member
     bool pushed = false;        // off the path that it has on its own
     Corridor corridor;
     double outran = 0;          // when moved: how fast it has left that [m/s]; 0: it has not
+    bool rim = false;           // at rest, and must not wake: who is beyond it is not here
+    bool seen = false;          // only looked at, for its contacts with the rim
+    bool woke = false;          // when moved: it is the rim, and would have woken
     std::int64_t component = 0;
     int owner = 0;
     std::size_t index = 0;      // on its owner
@@ -46,6 +49,9 @@ struct Member
         f(s.corridor.from);
         f(s.corridor.away);
         f(s.outran);
+        f(s.rim);
+        f(s.seen);
+        f(s.woke);
         f(s.component);
         f(s.owner);
         f(s.index);
@@ -74,6 +80,7 @@ struct Shown
         f(s.path.size);
         f(s.path.hit);
         f(s.path.rigid);
+        f(s.path.open);
         f(s.component);
     }
 };
@@ -109,8 +116,9 @@ public:
 
     explicit IslandExchange(const Communicator& communicator) : communicator_(communicator) {}
 
-    //- Those whose boxes reach into the box of another rank's particles. Collective.
-    std::vector<std::size_t> reachOthers(const std::vector<Box>& boxes) const;
+    //- The boxes about all particles of each rank, from that of this one; the low end is above
+    //  the high end where there are none. Collective.
+    std::vector<Box> domains(const Box& mine) const;
 
     //- What every rank shows, by rank. Collective.
     std::vector<std::vector<Shown>> everybody(const std::vector<Shown>& mine) const;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace dem
 {
@@ -20,31 +21,45 @@ IslandFinder::IslandFinder
     exchange_(communicator),
     islands_(islands),
     grid_(boxes_),
+    addedGrid_(addedBoxes_),
     sets_(0)
 {}
 
 
-void IslandFinder::addToCrowd(std::size_t i)
+void IslandFinder::addToCrowd(std::size_t k)
 {
-    if (crowded_[i]) return;
-    crowded_[i] = 1;
-    crowd_.push_back(i);
+    if (crowdAt_[k] >= 0) return;
+    crowdAt_[k] = int(crowd_.size());
+    crowd_.push_back(k);
+    crowdParticles_.push_back(who_[k]);
 }
 
 
 void IslandFinder::begin(double dt)
 {
-    const std::size_t n = store_.size();
-    paths_.resize(n);
-    boxes_.resize(n);
-    crowd_.clear();
-    crowded_.assign(n, 0);
-    for (std::size_t i = 0; i < n; ++i)
+    for (const std::size_t i : who_) slot_[i] = -1;
+    slot_.resize(store_.size(), -1);
+    who_ = store_.index.awake();
+    if (!islands_)
     {
-        Path& p = paths_[i] = reach_.own(i, dt);
-        boxes_[i] = reach_.box(i, p, dt);
+        who_.resize(store_.size());
+        std::iota(who_.begin(), who_.end(), std::size_t(0));
+    }
+    awake_ = who_.size();
+    paths_.resize(awake_);
+    boxes_.resize(awake_);
+    addedBoxes_.clear();
+    crowd_.clear();
+    crowdParticles_.clear();
+    crowdAt_.assign(awake_, -1);
+    for (std::size_t k = 0; k < awake_; ++k)
+    {
+        const std::size_t i = who_[k];
+        slot_[i] = int(k);
+        Path& p = paths_[k] = reach_.own(i, dt);
+        boxes_[k] = reach_.box(i, p, dt);
         if (!store_.awake(i)) continue;
-        p.held = reach_.wallWithin(boxes_[i]);
+        p.held = reach_.wallWithin(boxes_[k]);
         if (p.held) p.pushedFromStart();
     }
     if (islands_) findPairs(dt);
@@ -52,28 +67,73 @@ void IslandFinder::begin(double dt)
 
 
 //- Nothing new can come of them
-bool IslandFinder::known(std::size_t i, std::size_t j)
+bool IslandFinder::known(std::size_t a, std::size_t b)
 {
-    return i == j || (paths_[i].hit == 0 && paths_[j].hit == 0 && sets_.together(i, j));
+    return a == b || (paths_[a].hit == 0 && paths_[b].hit == 0 && sets_.together(a, b));
+}
+
+
+void IslandFinder::tie(std::size_t a, std::size_t b)
+{
+    sets_.join(a, b);
+    addToCrowd(a);
+    addToCrowd(b);
+}
+
+
+void IslandFinder::consider(std::size_t a, std::size_t b, double dt)
+{
+    if (!known(a, b) && meet(paths_[a], paths_[b], dt, periodic_)) tie(a, b);
+}
+
+
+//- Particle i, at rest, takes part
+std::size_t IslandFinder::add(std::size_t i, const Path& path, double dt)
+{
+    const std::size_t k = who_.size();
+    slot_[i] = int(k);
+    who_.push_back(i);
+    paths_.push_back(path);
+    addedBoxes_.push_back(reach_.box(i, path, dt));
+    crowdAt_.push_back(-1);
+    sets_.add();
+    return k;
+}
+
+
+//- Whom of those at rest k can meet
+void IslandFinder::askResting(std::size_t k, double dt)
+{
+    store_.index.near(box(k), periodic_, [&](std::size_t i)
+    {
+        if (slot_[i] >= 0)
+        {
+            consider(k, std::size_t(slot_[i]), dt);
+            return;
+        }
+        Path p = reach_.own(i, dt);
+        if (meet(paths_[k], p, dt, periodic_)) tie(k, add(i, p, dt));
+    });
 }
 
 
 void IslandFinder::findPairs(double dt)
 {
-    const std::size_t n = store_.size();
     grid_.build(periodic_);
-    sets_ = DisjointSets(n);
-    grid_.pairs([&](int i, int j)
+    sets_ = DisjointSets(awake_);
+    grid_.pairs([&](int a, int b) { consider(std::size_t(a), std::size_t(b), dt); });
+    for (std::size_t k = 0; k < awake_; ++k) askResting(k, dt);
+
+    // in order
+    for (std::size_t k = 0; k < awake_; ++k)
     {
-        const std::size_t a = std::size_t(i), b = std::size_t(j);
-        if (known(a, b) || !meet(paths_[a], paths_[b], dt, periodic_)) return;
-        sets_.join(a, b);
-        crowded_[a] = crowded_[b] = 1;
-    });
-    for (std::size_t i = 0; i < n; ++i)
+        if (paths_[k].pushed || flies(k)) addToCrowd(k);
+    }
+    std::sort(crowd_.begin(), crowd_.end());
+    for (std::size_t c = 0; c < crowd_.size(); ++c)
     {
-        crowded_[i] = crowded_[i] || paths_[i].pushed || store_.flies(i);
-        if (crowded_[i]) crowd_.push_back(i);
+        crowdAt_[crowd_[c]] = int(c);
+        crowdParticles_[c] = who_[crowd_[c]];
     }
 }
 
@@ -85,7 +145,7 @@ bool IslandFinder::settled(double dt)
         oneIsland();
         return true;
     }
-    label(dt);
+    while (!label(dt)) {}
     std::vector<std::size_t> wider = widened(dt);
     if (!communicator_.any(!wider.empty())) return true;
     ask(std::move(wider), dt);
@@ -93,17 +153,26 @@ bool IslandFinder::settled(double dt)
 }
 
 
-//- A component of one
-Component IslandFinder::alone(std::size_t i) const
+std::vector<std::size_t> IslandFinder::alone() const
 {
-    const Path& p = paths_[i];
+    std::vector<std::size_t> result;
+    for (std::size_t k = 0; k < awake_; ++k) if (crowdAt_[k] < 0) result.push_back(who_[k]);
+    return result;
+}
+
+
+//- A component of one
+Component IslandFinder::single(std::size_t k) const
+{
+    const std::size_t i = who_[k];
+    const Path& p = paths_[k];
     Component c;
     c.id = store_.particles[i].id;
     c.mass = store_.particles[i].mass;
     c.momentum = c.mass*p.own;
     c.active = store_.awake(i);
     c.home = communicator_.rank();
-    c.unit = store_.flies(i) ? store_.rest[i].aggregate : c.id;
+    c.unit = flies(k) ? store_.rest[i].aggregate : c.id;
     c.pushed = p.pushed;
     c.held = p.held;
     return c;
@@ -115,12 +184,11 @@ std::vector<std::size_t> IslandFinder::collect()
 {
     components_.clear();
     std::vector<std::size_t> componentOf(crowd_.size());
-    ofRoot_.resize(std::max(ofRoot_.size(), store_.size()), 0);
+    ofRoot_.resize(std::max(ofRoot_.size(), who_.size()), 0);
     for (std::size_t k = 0; k < crowd_.size(); ++k)
     {
-        const std::size_t i = crowd_[k];
-        std::size_t& of = ofRoot_[sets_.find(i)];
-        const Component one = alone(i);
+        std::size_t& of = ofRoot_[sets_.find(crowd_[k])];
+        const Component one = single(crowd_[k]);
         if (!of)
         {
             components_.emplace_back();
@@ -135,13 +203,49 @@ std::vector<std::size_t> IslandFinder::collect()
         c.id = std::min(c.id, one.id);
         ++c.count;
     }
-    for (const std::size_t i : crowd_) ofRoot_[sets_.find(i)] = 0;
+    for (const std::size_t k : crowd_) ofRoot_[sets_.find(k)] = 0;
     return componentOf;
 }
 
 
-//- Everybody joins the same components in the same way
-void IslandFinder::joinOverRanks
+//- Those whose boxes reach into the box of another rank's particles
+std::vector<std::size_t> IslandFinder::reachingOthers()
+{
+    Box all = store_.index.around();
+    for (std::size_t k = 0; k < who_.size(); ++k) all.include(box(k));
+    const std::vector<Box> domains = exchange_.domains(all);
+    std::vector<std::size_t> result;
+    for (std::size_t k = 0; k < who_.size(); ++k)
+    {
+        bool out = false;
+        for (int r = 0; r < communicator_.size() && !out; ++r)
+        {
+            out = r != communicator_.rank() && box(k).overlaps(domains[std::size_t(r)]);
+        }
+        if (out) result.push_back(k);
+    }
+    return result;
+}
+
+
+//- Those at rest on this rank whom one of another rank can meet take part, too
+bool IslandFinder::addFor(Path& moving, const Box& box, double dt)
+{
+    bool any = false;
+    store_.index.near(box, periodic_, [&](std::size_t i)
+    {
+        if (slot_[i] >= 0) return;      // if they meet, it is shown
+        Path p = reach_.own(i, dt);
+        if (!meet(moving, p, dt, periodic_)) return;
+        addToCrowd(add(i, p, dt));
+        any = true;
+    });
+    return any;
+}
+
+
+//- Everybody joins the same components in the same way. False: somebody is added, on some rank.
+bool IslandFinder::joinOverRanks
 (
     const std::vector<std::size_t>& shown, const std::vector<std::size_t>& ofShown, double dt
 )
@@ -149,19 +253,46 @@ void IslandFinder::joinOverRanks
     std::vector<Shown> mine;
     for (std::size_t m = 0; m < shown.size(); ++m)
     {
-        mine.push_back({boxes_[shown[m]], paths_[shown[m]], components_[ofShown[m]]});
+        mine.push_back({box(shown[m]), paths_[shown[m]], components_[ofShown[m]]});
     }
     auto everybody = exchange_.everybody(mine);
+    const std::size_t rank = std::size_t(communicator_.rank());
+    bool added = false;
+    for (std::size_t r = 0; r < everybody.size(); ++r)
+    {
+        if (r == rank) continue;
+        for (Shown& s : everybody[r])
+        {
+            if (s.path.open) added = addFor(s.path, s.box, dt) || added;
+        }
+    }
+    if (communicator_.any(added)) return false;
+
     const JoinedComponents joined(everybody, dt, periodic_);
     for (std::size_t m = 0; m < shown.size(); ++m)
     {
-        double& hit = paths_[shown[m]].hitNext;
-        hit = std::min(hit, everybody[std::size_t(communicator_.rank())][m].path.hitNext);
+        Path& p = paths_[shown[m]];
+        const Path& found = everybody[rank][m].path;
+        p.hitNext = std::min(p.hitNext, found.hitNext);
+        p.openNext = p.openNext || found.openNext;
     }
     for (Component& c : components_)
     {
         if (const Component* all = joined.find(c.id)) c = *all;
     }
+    rimElsewhere_.clear();
+    for (std::size_t r = 0; r < everybody.size(); ++r)
+    {
+        if (r == rank) continue;
+        for (const Shown& s : everybody[r])
+        {
+            if (s.path.open) continue;
+            const Component* all = joined.find(s.component.id);
+            const Component& of = all ? *all : s.component;
+            rimElsewhere_.push_back({s.path, of.id, of.home});
+        }
+    }
+    return true;
 }
 
 
@@ -170,7 +301,7 @@ void IslandFinder::setSpeeds(const std::vector<std::size_t>& componentOf)
 {
     for (std::size_t k = 0; k < crowd_.size(); ++k)
     {
-        const Particle& particle = store_.particles[crowd_[k]];
+        const Particle& particle = store_.particles[crowdParticles_[k]];
         const Path& p = paths_[crowd_[k]];
         Component& c = components_[componentOf[k]];
         // contacts can turn spin into speed
@@ -185,25 +316,26 @@ void IslandFinder::setSpeeds(const std::vector<std::size_t>& componentOf)
 }
 
 
-//- Label the components of particles that can meet
-void IslandFinder::label(double dt)
+//- Label the components of particles that can meet. False: to be done again
+bool IslandFinder::label(double dt)
 {
     std::vector<std::size_t> shown;
-    if (communicator_.parallel()) shown = exchange_.reachOthers(boxes_);
-    for (const std::size_t i : shown) addToCrowd(i);
+    if (communicator_.parallel()) shown = reachingOthers();
+    for (const std::size_t k : shown) addToCrowd(k);
 
     const std::vector<std::size_t> componentOf = collect();
     std::size_t largest = 1;
     for (const Component& c : components_) largest = std::max(largest, c.count);
-    outside_ = store_.size() - std::min(store_.size(), largest);
+    outside_ = who_.size() - std::min(who_.size(), largest);
 
     if (communicator_.parallel())
     {
-        std::vector<std::size_t> at(store_.size());
-        for (std::size_t k = 0; k < crowd_.size(); ++k) at[crowd_[k]] = componentOf[k];
         std::vector<std::size_t> ofShown;
-        for (const std::size_t i : shown) ofShown.push_back(at[i]);
-        joinOverRanks(shown, ofShown, dt);
+        for (const std::size_t k : shown)
+        {
+            ofShown.push_back(componentOf[std::size_t(crowdAt_[k])]);
+        }
+        if (!joinOverRanks(shown, ofShown, dt)) return false;
     }
     setSpeeds(componentOf);
 
@@ -213,6 +345,7 @@ void IslandFinder::label(double dt)
         const Component& c = components_[componentOf[k]];
         labels_[k] = {c.id, {c.velocity(), c.speed}, c.active, c.shared, c.alone(), c.home};
     }
+    return true;
 }
 
 
@@ -220,27 +353,29 @@ void IslandFinder::label(double dt)
 std::vector<std::size_t> IslandFinder::widened(double dt)
 {
     std::vector<std::size_t> result;
-    for (std::size_t k = 0; k < crowd_.size(); ++k)
+    for (std::size_t c = 0; c < crowd_.size(); ++c)
     {
-        const std::size_t i = crowd_[k];
-        const Label& of = labels_[k];
-        Path& p = paths_[i];
+        const std::size_t k = crowd_[c];
+        const Label& of = labels_[c];
+        Path& p = paths_[k];
+        p.open = p.open || p.openNext;
+        if (!p.open) continue;
         // in few stages, so that it ends soon
         if (p.hitNext <= dt) p.hit = std::min(p.hit, std::floor(32*p.hitNext/dt)*dt/32);
         if (!of.active || of.alone) continue;
-        const Corridor wider = reach_.pushed(i, p, of.crowd, dt);
-        const Corridor& c = p.corridor;
+        const Corridor wider = reach_.pushed(who_[k], p, of.crowd, dt);
+        const Corridor& now = p.corridor;
         if
         (
-            p.joint && c.v == wider.v && c.near >= wider.near && c.from <= wider.from
-         && c.away >= wider.away
+            p.joint && now.v == wider.v && now.near >= wider.near && now.from <= wider.from
+         && now.away >= wider.away
         ) continue;
         p.joint = true;
         p.corridor = wider;
-        boxes_[i] = reach_.box(i, p, dt);
-        grid_.changed(int(i));
-        p.held = p.held || reach_.wallWithin(boxes_[i]);
-        result.push_back(i);
+        box(k) = reach_.box(who_[k], p, dt);
+        if (k < awake_) grid_.changed(int(k));
+        p.held = p.held || reach_.wallWithin(box(k));
+        result.push_back(k);
     }
     return result;
 }
@@ -250,30 +385,62 @@ std::vector<std::size_t> IslandFinder::widened(double dt)
 //  is outside the largest set or can be pushed earlier: the fewer of them are asked.
 void IslandFinder::ask(std::vector<std::size_t> asked, double dt)
 {
-    const std::size_t n = store_.size();
+    addedGrid_.build(periodic_);
+    for (const std::size_t k : asked) askResting(k, dt);
+    const std::size_t n = who_.size();
     if (outside_ < asked.size())
     {
         std::vector<std::size_t> count(n), others;
-        for (std::size_t i = 0; i < n; ++i) ++count[sets_.find(i)];
+        for (std::size_t k = 0; k < n; ++k) ++count[sets_.find(k)];
         const std::size_t largest =
             std::size_t(std::max_element(count.begin(), count.end()) - count.begin());
-        for (std::size_t i = 0; i < n && others.size() < asked.size(); ++i)
+        for (std::size_t k = 0; k < n && others.size() < asked.size(); ++k)
         {
-            if (sets_.find(i) != largest || paths_[i].hit > 0) others.push_back(i);
+            if (sets_.find(k) != largest || paths_[k].hit > 0) others.push_back(k);
         }
         if (others.size() < asked.size()) asked.swap(others);
     }
-    for (const std::size_t i : asked)
+    for (const std::size_t k : asked)
     {
-        grid_.overlapping(boxes_[i], [&](int other)
-        {
-            const std::size_t j = std::size_t(other);
-            if (known(i, j) || !meet(paths_[i], paths_[j], dt, periodic_)) return;
-            sets_.join(i, j);
-            addToCrowd(i);
-            addToCrowd(j);
-        });
+        grid_.overlapping(box(k), [&](int other) { consider(k, std::size_t(other), dt); });
+        addedGrid_.overlapping
+        (
+            box(k), [&](int other) { consider(k, awake_ + std::size_t(other), dt); }
+        );
     }
+}
+
+
+std::vector<Seen> IslandFinder::seen() const
+{
+    std::vector<Seen> result;
+    for (std::size_t c = 0; c < crowd_.size(); ++c)
+    {
+        const Path& p = paths_[crowd_[c]];
+        const Label& of = labels_[c];
+        if (!p.open) see({p, of.component, of.home}, result);
+    }
+    for (const Rim& rim : rimElsewhere_) see(rim, result);
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+}
+
+
+void IslandFinder::see(const Rim& rim, std::vector<Seen>& result) const
+{
+    const Vec3& x = rim.path.x;
+    const double size = rim.path.size;
+    const Box around{x.array() - size, x.array() + size};
+    store_.index.near(around, periodic_, [&](std::size_t i)
+    {
+        const Particle& p = store_.particles[i];
+        const double reach = size + p.radius + store_.reach[i];
+        if (periodic_.nearest(p.x - x).squaredNorm() > reach*reach) return;
+        const int at = slot_[i] < 0 ? -1 : crowdAt_[std::size_t(slot_[i])];
+        if (at >= 0 && labels_[std::size_t(at)].component == rim.component) return;
+        result.push_back({i, rim.component, rim.home});
+    });
 }
 
 
@@ -293,7 +460,7 @@ void IslandFinder::oneIsland()
     for (std::size_t i = 0; i < n; ++i)
     {
         addToCrowd(i);
-        paths_[i].joint = true;
+        paths_[i].joint = paths_[i].open = true;
         paths_[i].corridor = reach_.anywhere(i, fastest);
     }
     const Label all
@@ -306,9 +473,17 @@ void IslandFinder::oneIsland()
 
 void IslandFinder::widen(std::size_t i, double outran)
 {
-    Path& p = paths_[i];
+    Path& p = paths_[std::size_t(slot_[i])];
     p.pushedFromStart();
     p.least = std::max(p.least, outran + (p.corridor.v - p.own).norm());
+}
+
+
+void IslandFinder::open(std::size_t i)
+{
+    Path& p = paths_[std::size_t(slot_[i])];
+    p.open = true;
+    p.pushedFromStart();
 }
 
 }

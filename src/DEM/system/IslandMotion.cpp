@@ -2,6 +2,7 @@
 #include "system/IslandMotion.hpp"
 
 #include "contactModels/contactModel/ContactLaw.hpp"
+#include "particles/errors.hpp"
 #include "timeIntegration/RigidAggregate.hpp"
 
 #include <algorithm>
@@ -47,7 +48,10 @@ void IslandMotion::move(IslandMembers& island, double dt, double now, bool keepE
         integrate(island, dt, now, keepExchange);
         ++island.report.islands;
     }
-    for (const Member& m : island.members) island.outran = island.outran || m.outran > 0;
+    for (const Member& m : island.members)
+    {
+        island.outran = island.outran || m.outran > 0 || m.woke;
+    }
 }
 
 
@@ -114,7 +118,7 @@ bool IslandMotion::flyTogether(IslandMembers& island, double dt)
     std::vector<GasLoad> loads;
     for (const Member& m : members)
     {
-        if (m.rest.aggregate != first.aggregate || m.pushed) return false;
+        if (m.rest.aggregate != first.aggregate || m.pushed || m.rim) return false;
         flyers.push_back(m.p);
         loads.push_back(m.gas);
     }
@@ -153,10 +157,14 @@ void IslandMotion::load(IslandMembers& island, double dt)
             m.p.radius + materials_.reach(m.p.material, m.p.radius, walls_.walls())
           + m.corridor.width(dt);
         const Vec3 end = m.p.x + dt*m.corridor.v;
-        walls_.query
-        (
-            m.p.x.cwiseMin(end).array() - half, m.p.x.cwiseMax(end).array() + half, surfaces
-        );
+        surfaces.clear();
+        if (!m.seen)
+        {
+            walls_.query
+            (
+                m.p.x.cwiseMin(end).array() - half, m.p.x.cwiseMax(end).array() + half, surfaces
+            );
+        }
         local.emplace(m.p.id, int(local.size()));
         RestState state = m.rest;
         if (state.aggregate >= 0)
@@ -166,7 +174,7 @@ void IslandMotion::load(IslandMembers& island, double dt)
             state.aggregate = -1;
             ++island.report.wakes;
         }
-        integrator_.addParticle(m.p, m.gas, state, m.corridor);
+        integrator_.addParticle(m.p, m.gas, state, m.corridor, m.rim);
         integrator_.addSurfaces(surfaces);
     }
 
@@ -193,17 +201,39 @@ void IslandMotion::integrate(IslandMembers& island, double dt, double now, bool 
     load(island, dt);
     integrator_.run(dt, now, island.report);
 
+    if (wokeAtRim(island.members)) return;
     std::vector<GasExchange> exchanges;
     if (keepExchange) exchanges = integrator_.gasExchange(dt);
     for (std::size_t i = 0; i < island.members.size(); ++i)
     {
         Member& m = island.members[i];
-        m.p = integrator_.particle(int(i));
-        m.rest = integrator_.rest(int(i));
+        if (m.seen) continue;
         if (keepExchange) m.exchange = exchanges[i];
         m.contacts = integrator_.contacts(int(i));
+        m.p = integrator_.particle(int(i));
+        m.rest = integrator_.rest(int(i));
         m.outran = integrator_.outran(int(i));
     }
+}
+
+
+//- Whether the run has ended because the rim would have woken; that is taken down
+bool IslandMotion::wokeAtRim(std::vector<Member>& members) const
+{
+    bool any = false, known = false;
+    for (std::size_t i = 0; i < members.size(); ++i)
+    {
+        Member& m = members[i];
+        m.outran = integrator_.outran(int(i));
+        m.woke = integrator_.wokeAtRim(int(i));
+        any = any || m.woke;
+        known = known || m.outran > 0 || (m.woke && !m.seen);
+    }
+    if (any && !known)
+    {
+        throw numericalError("Particles have touched that were not found to be able to");
+    }
+    return any;
 }
 
 
@@ -223,16 +253,22 @@ void IslandMotion::integrateInParts
         const double start = moments[part], length = moments[part + 1] - start;
         if (!(length > 0)) continue;
         IslandMembers there;
-        for (const Member& m : island.members)
+        for (std::size_t k = 0; k < before.size(); ++k)
         {
+            const Member& m = island.members[k];
             if (m.delay > start) continue;
             there.members.push_back(m);
+            // of its width, what the parts before have left
             Corridor& c = there.members.back().corridor;
+            const Vec3 begun = before[k].p.x - before[k].delay*before[k].p.v;
+            const double off = periodic_.nearest(m.p.x - begun - start*c.v).norm();
+            c.near = std::max(c.width(start) - off, 0.0);
             c.from = std::max(c.from - start, 0.0);
         }
         if (there.members.empty()) continue;
         integrate(there, length, now + start, keepExchange);
         island.report.add(there.report);
+        bool woke = false;
 
         auto m = island.members.begin();
         for (Member& moved : there.members)
@@ -249,17 +285,10 @@ void IslandMotion::integrateInParts
                     first.memory*last.memory, last.held
                 };
             }
+            woke = woke || moved.woke;
             *m = std::move(moved);
         }
-    }
-
-    // Each part allows the whole width of the corridor: all together may not take more
-    for (std::size_t k = 0; k < before.size(); ++k)
-    {
-        Member& m = island.members[k];
-        const Vec3 begun = before[k].p.x - before[k].delay*before[k].p.v;
-        const double off = periodic_.nearest(m.p.x - begun - dt*m.corridor.v).norm();
-        if (off > m.corridor.width(dt)) m.outran = std::max(m.outran, off/dt);
+        if (woke) return;
     }
 }
 

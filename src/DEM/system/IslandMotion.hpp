@@ -22,7 +22,7 @@ struct IslandMembers
 {
     std::vector<Member> members;
     StepReport report;
-    bool outran = false;    // one of them has left its search box
+    bool outran = false;    // one of them has left its search box, or the rim has woken
 
     //- Whether `other`, not moved yet, would be moved to where this is
     bool holdsFor(const std::vector<Member>& other) const;
@@ -55,6 +55,7 @@ private:
     void turnHistory(std::vector<Member>& members, const Eigen::Matrix3d& turn) const;
 
     void load(IslandMembers& island, double dt);
+    bool wokeAtRim(std::vector<Member>& members) const;
     void integrate(IslandMembers& island, double dt, double now, bool keepExchange);
     void integrateInParts(IslandMembers& island, double dt, double now, bool keepExchange);
 

@@ -38,8 +38,8 @@ void ParticleStep::advance(double dt, double now, bool keepExchange, StepReport&
 {
     lap();
     tried_.clear();     // an earlier step may have ended in an error
-    if (keepExchange) exchangeAtRest(dt);
-    if (communicator_.any(anyAwake()))
+    store_.began(dt);
+    if (communicator_.any(store_.index.anyAwake()))
     {
         Work work;
         finder_.begin(dt);
@@ -59,21 +59,18 @@ void ParticleStep::advance(double dt, double now, bool keepExchange, StepReport&
 }
 
 
-bool ParticleStep::anyAwake() const
-{
-    for (std::size_t i = 0; i < store_.size(); ++i) if (store_.awake(i)) return true;
-    return false;
-}
-
-
 Member ParticleStep::member(std::size_t i, std::int64_t component) const
 {
-    const Path& path = finder_.path(i);
-    return
-    {
-        store_.particles[i], store_.gas[i], store_.rest[i], store_.contacts[i], path.joint,
-        path.corridor, 0, component, communicator_.rank(), i, {}, store_.delay(i)
-    };
+    Member m;
+    m.p = store_.particles[i];
+    m.gas = store_.gas[i];
+    m.rest = store_.rest[i];
+    m.contacts = store_.contacts[i];
+    m.component = component;
+    m.owner = communicator_.rank();
+    m.index = i;
+    m.delay = store_.delay(i);
+    return m;
 }
 
 
@@ -83,21 +80,35 @@ ParticleStep::Work ParticleStep::sortOut() const
     const int rank = communicator_.rank();
     Work work;
     std::vector<std::vector<Member>> away(std::size_t(communicator_.size()));
-    for (std::size_t i = 0; i < store_.size(); ++i)
+    const auto send = [&](Member&& m, int home)
     {
-        if (!finder_.crowded(i) && store_.awake(i)) work.flights.push_back(i);
-    }
+        if (home != rank) away[std::size_t(home)].push_back(std::move(m));
+        else work.islands[m.component].members.push_back(std::move(m));
+    };
+    work.flights = finder_.alone();
     for (std::size_t k = 0; k < finder_.crowd().size(); ++k)
     {
         const std::size_t i = finder_.crowd()[k];
         const Label& of = finder_.labels()[k];
         if (!of.active) continue;
-        if (of.alone && !store_.flies(i)) work.flights.push_back(i);
-        else if (of.shared && of.home != rank)
+        if (of.alone && !store_.flies(i))
         {
-            away[std::size_t(of.home)].push_back(member(i, of.component));
+            work.flights.push_back(i);
+            continue;
         }
-        else work.islands[of.component].members.push_back(member(i, of.component));
+        const Path& path = finder_.path(i);
+        Member m = member(i, of.component);
+        m.pushed = path.joint;
+        m.corridor = path.corridor;
+        m.rim = !path.open;
+        send(std::move(m), of.shared ? of.home : rank);
+    }
+    for (const Seen& s : finder_.seen())
+    {
+        Member m = member(s.particle, s.component);
+        m.seen = m.rim = true;
+        m.corridor = {Vec3::Zero(), 0, 0, 0};
+        send(std::move(m), s.home);
     }
     for (Member& m : exchange_.exchange(away))
     {
@@ -150,6 +161,7 @@ bool ParticleStep::tryToMove
     {
         for (const Member& m : entry.second.members)
         {
+            if (m.seen) continue;
             if (m.owner == rank) own.push_back(&m);
             else back[std::size_t(m.owner)].push_back(m);
         }
@@ -177,9 +189,9 @@ bool ParticleStep::widenThoseWhoOutran(const std::vector<const Member*>& moved)
     bool any = false;
     for (const Member* m : moved)
     {
-        if (m->outran <= 0) continue;
-        finder_.widen(m->index, m->outran);
-        any = true;
+        if (m->outran > 0) finder_.widen(m->index, m->outran);
+        if (m->woke) finder_.open(m->index);
+        any = any || m->outran > 0 || m->woke;
     }
     return any;
 }
@@ -187,10 +199,13 @@ bool ParticleStep::widenThoseWhoOutran(const std::vector<const Member*>& moved)
 
 void ParticleStep::takeBack(const Member& m)
 {
-    store_.particles[m.index] = m.p;
-    store_.rest[m.index] = m.rest;
-    store_.contacts[m.index] = m.contacts;
-    store_.exchange[m.index] = m.exchange;
+    const std::size_t i = m.index;
+    store_.contacts[i] = m.contacts;
+    store_.give(i, m.exchange);
+    store_.particles[i] = m.p;
+    store_.rest[i] = m.rest;
+    if (periodic_.on()) store_.particles[i].x = periodic_.wrapped(m.p.x);
+    store_.changed(i);
 }
 
 
@@ -209,7 +224,7 @@ void ParticleStep::flyFreely
         if (keepExchange)
         {
             const FlightFactors f(g.Sp/p.mass, flown);
-            store_.exchange[i] = {impulse, g.Sp*f.p1, f.e, false};
+            store_.give(i, {impulse, g.Sp*f.p1, f.e, false});
         }
         if (time_.energyLedger)
         {
@@ -217,34 +232,22 @@ void ParticleStep::flyFreely
             report.energy.kinetic += work;
             report.energy.gas += work;
         }
-        store_.rest[i].inContact = false;
+        if (periodic_.on()) p.x = periodic_.wrapped(p.x);
+        if (store_.rest[i].inContact)
+        {
+            store_.rest[i].inContact = false;
+            store_.changed(i);
+        }
         ++report.freeFlights;
-    }
-}
-
-
-//- What the gas gives to those at rest, whom nothing else may look at in this particle step
-void ParticleStep::exchangeAtRest(double dt)
-{
-    for (std::size_t i = 0; i < store_.size(); ++i)
-    {
-        if (store_.awake(i)) continue;
-        const GasLoad& g = store_.gas[i];
-        store_.exchange[i] = {dt*(g.Sp*g.Uc + g.Su), dt*g.Sp, 1, true};
     }
 }
 
 
 void ParticleStep::finish(StepReport& report)
 {
-    for (std::size_t i = 0; i < store_.size(); ++i)
-    {
-        Vec3& x = store_.particles[i].x;
-        if (periodic_.on()) x = periodic_.wrapped(x);
-        report.resting += store_.rest[i].resting && !store_.flies(i);
-        report.flyingAtRest += store_.flies(i);
-        report.inContact += store_.rest[i].inContact;
-    }
+    report.resting += store_.counts.resting;
+    report.flyingAtRest += store_.counts.flyingAtRest;
+    report.inContact += store_.counts.inContact;
 }
 
 }

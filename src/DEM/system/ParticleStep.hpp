@@ -2,8 +2,9 @@
 //
 // One particle step: finds the islands, sends those that span ranks to the rank that moves
 // them, moves all, takes the results back. Contacts may make particles so fast that they leave
-// the boxes they were searched in, and may have missed others: then it begins again, with their
-// paths as fast as that and nothing moved; what holds good is kept for the next try.
+// the boxes they were searched in, and may have missed others, or wake the rim of those at rest
+// who were let in: then it begins again, with their paths as fast as that, the rim farther out
+// and nothing moved; what holds good is kept for the next try.
 #pragma once
 
 #include "materials/MaterialTable.hpp"
@@ -47,7 +48,6 @@ private:
         std::vector<std::size_t> flights;
     };
 
-    bool anyAwake() const;
     Member member(std::size_t i, std::int64_t component) const;
     Work sortOut() const;
     bool tryToMove(Work& work, double dt, double now, bool keepExchange, StepReport& report);
@@ -58,7 +58,6 @@ private:
     (
         const std::vector<std::size_t>& flights, double dt, bool keepExchange, StepReport& report
     );
-    void exchangeAtRest(double dt);
     void finish(StepReport& report);
     double lap();
 

@@ -24,6 +24,14 @@ void needFinite(const std::string& name, const Vec3& x, const Vec3& v, const Vec
     throw inputError("position", name + " is not finite", "finite numbers");
 }
 
+//- There may be very many: only a tenth more room than is needed
+template<class T>
+void append(std::vector<T>& column, const T& value)
+{
+    if (column.size() == column.capacity()) column.reserve(column.size() + column.size()/10 + 16);
+    column.push_back(value);
+}
+
 std::string nameOf(std::int64_t id) { return "particle " + std::to_string(id); }
 
 }
@@ -50,12 +58,15 @@ std::size_t ParticleStore::add(const Particle& p, double reachOf, double delay)
         throw inputError("id", nameOf(p.id) + " is there already", "unique numbers, 0 or more");
     }
     if (delay > 0) entering.emplace(p.id, delay);
-    particles.push_back(p);
-    gas.emplace_back();
-    rest.emplace_back();
-    exchange.emplace_back();
-    reach.push_back(reachOf);
-    contacts.emplace_back();
+    append(particles, p);
+    append(gas, {});
+    append(rest, {});
+    append(exchange, {});
+    append(reach, reachOf);
+    append(contacts, {});
+    append(counted_, char(0));
+    append(exchanged_, steps_);
+    index.add();
     return size() - 1;
 }
 
@@ -72,11 +83,69 @@ void ParticleStore::setMotion
     p.omega = omega;
     wakeUp(rest[i]);
     rest[i].quietTime = 0;
+    changed(i);
+}
+
+
+void ParticleStore::setGas(std::size_t i, const GasLoad& load)
+{
+    gas[i] = load;
+    if (rest[i].resting) changed(i);
+}
+
+
+void ParticleStore::changed(std::size_t i)
+{
+    if (awake(i)) index.moves(i);
+    else index.rests(i, particles[i].x, particles[i].radius + reach[i]);
+    count(i);
+}
+
+
+void ParticleStore::count(std::size_t i)
+{
+    enum { isResting = 1, isFlying = 2, isInContact = 4 };
+    const RestState& r = rest[i];
+    const int now =
+        (r.resting && !flies(i) ? isResting : 0) | (flies(i) ? isFlying : 0)
+      | (r.inContact ? isInContact : 0);
+    const int before = counted_[i];
+    const auto difference = [&](int bit) { return int((now & bit) > 0) - int((before & bit) > 0); };
+    counts.resting += difference(isResting);
+    counts.flyingAtRest += difference(isFlying);
+    counts.inContact += difference(isInContact);
+    counted_[i] = char(now);
+}
+
+
+void ParticleStore::began(double dt)
+{
+    step_ = dt;
+    ++steps_;
+}
+
+
+void ParticleStore::give(std::size_t i, const GasExchange& given)
+{
+    exchange[i] = given;
+    exchanged_[i] = steps_;
+}
+
+
+const GasExchange& ParticleStore::gasExchange(std::size_t i)
+{
+    if (exchanged_[i] != steps_ && rest[i].resting)
+    {
+        const GasLoad& g = gas[i];
+        give(i, {step_*(g.Sp*g.Uc + g.Su), step_*g.Sp, 1, true});
+    }
+    return exchange[i];
 }
 
 
 void ParticleStore::remove(const std::vector<char>& marked)
 {
+    index.remove(marked);
     std::size_t kept = 0;
     for (std::size_t i = 0; i < particles.size(); ++i)
     {
@@ -84,6 +153,8 @@ void ParticleStore::remove(const std::vector<char>& marked)
         {
             indexOf.erase(particles[i].id);
             if (!entering.empty()) entering.erase(particles[i].id);
+            rest[i] = RestState();
+            count(i);
             continue;
         }
         if (kept != i)
@@ -94,6 +165,8 @@ void ParticleStore::remove(const std::vector<char>& marked)
             exchange[kept] = exchange[i];
             reach[kept] = reach[i];
             contacts[kept] = std::move(contacts[i]);
+            counted_[kept] = counted_[i];
+            exchanged_[kept] = exchanged_[i];
             indexOf[particles[i].id] = kept;
         }
         ++kept;
@@ -104,6 +177,8 @@ void ParticleStore::remove(const std::vector<char>& marked)
     exchange.resize(kept);
     reach.resize(kept);
     contacts.resize(kept);
+    counted_.resize(kept);
+    exchanged_.resize(kept);
 }
 
 
@@ -159,6 +234,7 @@ std::vector<int> ParticleStore::unpackState
     }
     const double* from = state.data() + 1;
     rest[i] = unpack<RestState>(from);
+    changed(i);
 
     std::vector<int> gone;
     contacts[i].clear();
@@ -186,6 +262,7 @@ std::vector<int> ParticleStore::unpackState
         }
         contacts[i].push_back(c);
     }
+    changed(i);
     return gone;
 }
 

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The particles of this rank: one column per thing that is remembered of them between particle
-// steps. Plain values; indices stay valid until remove().
+// steps. Plain values; indices stay valid until remove(). Whoever changes the place, the gas load
+// or the rest of a particle says so by changed(), so that a particle step finds who moves, and
+// counts of all, without looking at those who rest.
 #pragma once
 
 #include "contacts/ContactRecord.hpp"
 #include "particles/GasExchange.hpp"
 #include "particles/GasLoad.hpp"
 #include "particles/Particle.hpp"
+#include "system/RestIndex.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -19,14 +22,22 @@ namespace dem
 
 struct ParticleStore
 {
+    //- Of the particles of this rank
+    struct Counts
+    {
+        std::int64_t resting = 0, flyingAtRest = 0, inContact = 0;
+    };
+
     std::vector<Particle> particles;
     std::vector<GasLoad> gas;               // of the next advance()
     std::vector<RestState> rest;
-    std::vector<GasExchange> exchange;      // of the last advance()
+    std::vector<GasExchange> exchange;      // of the last advance() in which it moved
     std::vector<double> reach;              // of its contacts beyond touch [m]
     std::vector<std::vector<ContactRecord>> contacts;   // as the lower partner
     std::unordered_map<std::int64_t, std::size_t> indexOf;
     std::unordered_map<std::int64_t, double> entering;      // by id, see delay()
+    RestIndex index;                        // who moves, who rests
+    Counts counts;
 
     std::size_t size() const { return particles.size(); }
 
@@ -57,6 +68,24 @@ struct ParticleStore
     //- Whether it moves in the next particle step
     bool awake(std::size_t i) const;
 
+    //- Place, gas load or rest of particle i are other ones now
+    void changed(std::size_t i);
+
+    //- The load is checked already
+    void setGas(std::size_t i, const GasLoad& load);
+
+    // What the gas gave in the last particle step, until the gas loads are set anew. Of those who
+    // rested all the time it follows from their loads.
+
+        //- A particle step of dt [s] begins
+        void began(double dt);
+
+        //- Of particle i, which has moved
+        void give(std::size_t i, const GasExchange& exchange);
+
+        const GasExchange& gasExchange(std::size_t i);
+
+
 
     // The contacts and the rest state of a particle, as numbers that begin with their version
 
@@ -71,6 +100,16 @@ struct ParticleStore
             const std::vector<int>& wallNow,
             int nWalls
         );
+
+
+private:
+
+    void count(std::size_t i);
+
+    double step_ = 0;                       // [s] the last one
+    std::uint32_t steps_ = 0;               // how many began
+    std::vector<std::uint32_t> exchanged_;  // by particle: exchange is of this one
+    std::vector<char> counted_;             // by particle: as what, one bit of each of counts
 };
 
 }

@@ -14,6 +14,7 @@ namespace
 
 constexpr double speedMargin = 1.2;
 constexpr double leastPath = 1e-3;      // [radii]
+constexpr std::int64_t restingBody = -2;
 
 // Two of one rigid body do not push each other before one of them is pushed
 double together(const Path& a, const Path& b)
@@ -35,8 +36,9 @@ Path Reach::own(std::size_t i, double dt) const
     if (!store_.awake(i))
     {
         path.corridor = {Vec3::Zero(), 0, 0, 0};
-        path.rigid = -2;
+        path.rigid = restingBody;
         path.held = true;
+        path.open = false;
         return path;
     }
     const GasLoad& g = store_.gas[i];
@@ -146,7 +148,10 @@ bool meet(Path& a, Path& b, double dt, const Periodic& periodic)
     const double time = meetingTime(a, b, dt, periodic);
     a.hitNext = std::min(a.hitNext, time);
     b.hitNext = std::min(b.hitNext, time);
-    return time <= dt || (a.rigid >= 0 && a.rigid == b.rigid);
+    if (time > dt && !(a.rigid >= 0 && a.rigid == b.rigid)) return false;
+    if (a.rigid != restingBody) b.openNext = true;
+    if (b.rigid != restingBody) a.openNext = true;
+    return true;
 }
 
 }

@@ -33,6 +33,9 @@ struct Path
     double hit = 1e300;         // when they first can [s]
     double hitNext = 1e300;     // as found since
     double least = 0;           // speed that it has had in a try [m/s]
+    bool open = true;           // at rest it may wake: one awake can meet it. Else it is the rim
+                                // of what moves
+    bool openNext = false;      // as found since
 
     void pushedFromStart() { pushed = true; hit = hitNext = 0; }
 };
@@ -81,7 +84,8 @@ private:
 //- When two can first come as close as a contact, beyond dt if they cannot [s]
 double meetingTime(const Path& a, const Path& b, double dt, const Periodic& periodic);
 
-//- Whether two whose boxes overlap can meet, or belong together; takes down when
+//- Whether two whose boxes overlap can meet, or belong together; takes down when, and whom one
+//  awake can meet
 bool meet(Path& a, Path& b, double dt, const Periodic& periodic);
 
 }

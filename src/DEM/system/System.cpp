@@ -237,7 +237,7 @@ void System::setGasLoad(std::size_t i, const GasLoad& load)
           + std::to_string(impl_->now) + " s"
         );
     }
-    store.gas[i] = load;
+    store.setGas(i, load);
 }
 
 
@@ -273,7 +273,9 @@ StepReport System::advance(double dt)
 
 const GasExchange& System::gasExchange(std::size_t i) const
 {
-    return impl_->store.exchange[impl_->store.checked(i)];
+    ParticleStore& store = impl_->store;
+    store.checked(i);
+    return impl_->keepExchange ? store.gasExchange(i) : store.exchange[i];
 }
 
 
@@ -310,7 +312,15 @@ Entrance System::entrance
     const Box& box, double dt, double largest, double fastest
 ) const
 {
-    return {impl_->store.particles, impl_->walls, impl_->periodic, box, dt, largest, fastest};
+    const ParticleStore& store = impl_->store;
+    const Box around{box.low.array() - largest, box.high.array() + largest};
+    std::vector<Particle> particles;
+    for (const std::size_t i : store.index.awake()) particles.push_back(store.particles[i]);
+    store.index.near(around, impl_->periodic, [&](std::size_t i)
+    {
+        particles.push_back(store.particles[i]);
+    });
+    return {particles, impl_->walls, impl_->periodic, box, dt, largest, fastest};
 }
 
 

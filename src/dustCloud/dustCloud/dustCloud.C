@@ -37,6 +37,7 @@ License
 #include "StochasticCollisionModel.H"
 #include "SurfaceFilmModel.H"
 
+#include <algorithm>
 #include <cmath>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -213,20 +214,18 @@ void Foam::dustCloud::addArrivals()
 
 void Foam::dustCloud::removeLeavers()
 {
+    const auto end = leaving_.end();
+    if (std::find(leaving_.begin(), end, char(1)) == end)
+    {
+        return;
+    }
+
     // New index of those that stay
     labelList index(label(leaving_.size()), -1);
     label n = 0;
     forAll(index, i)
     {
-        if (!leaving_[std::size_t(i)])
-        {
-            index[i] = n++;
-        }
-    }
-
-    if (n == index.size())
-    {
-        return;
+        index[i] = leaving_[std::size_t(i)] ? -1 : n++;
     }
 
     dem_->system->remove(leaving_);

@@ -79,8 +79,9 @@ void Foam::dustCloud::setGasLoads
     {
         const label parceli = i++;
 
-        // At rest in a gas that does not change: nothing new
-        if (p.loaded() && gasFrozen_ && !d.dispersion)
+        // At rest in a gas that does not change (one that is solved: within
+        // the gas step): nothing new
+        if (p.loaded() && !twoWay_ && !d.dispersion)
         {
             continue;
         }
@@ -146,6 +147,18 @@ void Foam::dustCloud::takeMotion
     {
         const std::size_t index = std::size_t(p.demIndex());
         const dem::Particle& particle = system.particle(index);
+        const bool resting = system.resting(index);
+        if
+        (
+            resting && p.state() == dustParcel::resting && !twoWay_
+         && p.x() == toVector(particle.x)
+        )
+        {
+            p.age() += dt;
+            ++i;
+            continue;
+        }
+
         vector kick(Zero);
         if (kicking && !system.inContact(index))
         {
@@ -169,7 +182,7 @@ void Foam::dustCloud::takeMotion
         p.omega() = toVector(particle.omega);
         p.age() += dt;
         p.state() =
-            system.resting(index) ? dustParcel::resting
+            resting ? dustParcel::resting
           : system.inContact(index) ? dustParcel::inContact
           : dustParcel::airborne;
     }

@@ -35,6 +35,10 @@ Foam::scalar Foam::dustCloud::particleStepLimit() const
 
     for (const dustParcel& p : *this)
     {
+        if (p.state() == dustParcel::resting)
+        {
+            continue;
+        }
         if (d.brownian && p.state() <= dustParcel::airborne)
         {
             limit = min
@@ -48,10 +52,7 @@ Foam::scalar Foam::dustCloud::particleStepLimit() const
         scalar rate = cellCrossing(mesh_, p.cell(), p.U());
 
         // A particle that follows the gas may be as fast as the gas is
-        if (p.state() != dustParcel::resting)
-        {
-            rate = max(rate, cellCrossing(mesh_, p.cell(), U_[p.cell()]));
-        }
+        rate = max(rate, cellCrossing(mesh_, p.cell(), U_[p.cell()]));
         if (rate > VSMALL)
         {
             limit = min(limit, maxCo/rate);

@@ -2,6 +2,9 @@
 //
 // Room for new spheres at a moment, and spheres that enter within a particle step.
 #include "clouds.hpp"
+#include "contacts/ContactRecord.hpp"
+#include "contacts/PackedState.hpp"
+#include "foundation/Fields.hpp"
 
 using dem::Vec3;
 using scene::Law;
@@ -120,8 +123,16 @@ TEST(entrance, asIfAllHadBeenLookedAt)
     for (int i = 0; i < 3000; ++i)
     {
         const double radius = random.uniform(0.2e-6, 2e-6);
-        const Vec3 x = random.inBox(5e-5), v = random.inBox(3);
+        const Vec3 x = random.inBox(5e-5), v = i%2 ? random.inBox(3) : Vec3(Vec3::Zero());
         system.add(sphere(law, i, radius, x, v));
+        if (i%2) continue;
+        // at rest
+        dem::RestState rest;
+        rest.inContact = rest.resting = true;
+        std::vector<double> state{double(dem::PackedState::version)};
+        dem::pack(rest, state);
+        system.unpackState(std::size_t(i), state);
+        ASSERT_TRUE(system.resting(std::size_t(i)));
     }
     const double dt = 2e-6;
     const dem::Box box{Vec3(-5e-5, -2e-5, -5e-5), Vec3(-4e-5, 2e-5, 5e-5)};
@@ -197,6 +208,90 @@ TEST(entrance, amongOthersThatCollide)
     }
     EXPECT_GT(one.touches, 5);
     EXPECT_NEAR(double(one.touches), double(two.touches), 1);
+}
+
+
+TEST(entrance, hitsACakeAtRest)
+{
+    // the same in one particle step and in two, for those whom it wakes and for the rim
+    struct Result
+    {
+        std::vector<dem::Particle> particles;
+        dem::StepReport report;
+        std::vector<bool> resting, inContact;
+        std::vector<Vec3> impulses;
+    };
+    const Vec3 pull(0, 0, -1e-13);
+    const double delays[2] = {0.5e-7, 2e-7}, dt = 2.5e-7;
+    const auto run = [&](bool atOnce)
+    {
+        const Law law = scene::stickyLaw();
+        dem::System system(law.table(), {});
+        system.setWalls(scene::floor());
+        system.keepGasExchange(true);
+        for (const dem::Particle& p : scene::rain(law, 60, 3e-6, 11)) system.add(p);
+        const auto load = [&]
+        {
+            for (std::size_t i = 0; i < system.size(); ++i)
+            {
+                dem::GasLoad g;
+                g.Su = pull;
+                system.setGasLoad(i, g);
+            }
+        };
+        load();
+        for (int k = 0; k < 300; ++k) system.advance(1e-6);
+        Vec3 top = Vec3::Zero();
+        int atRest = 0;
+        for (std::size_t i = 0; i < system.size(); ++i)
+        {
+            const dem::Particle& p = system.particle(i);
+            const Vec3 at = p.x + Vec3(0, 0, p.radius);
+            if (system.resting(i) && at.z() > top.z()) top = at;
+            atRest += system.resting(i);
+        }
+        EXPECT_GT(atRest, 50);
+        // the second one enters when the first has woken some of the rim
+        const Vec3 x = top + Vec3(0, 0, 1.2*r);
+        const dem::Particle late[2] =
+        {
+            sphere(law, 5000, r, x, Vec3(0, 0, -8)),
+            sphere(law, 5001, r, x + Vec3(2.1*r, 0, 0), Vec3(0, 0, -1))
+        };
+        Result result;
+        double now = 0;
+        for (int k = 0; k < 2; ++k)
+        {
+            if (!atOnce) result.report.add(system.advance(delays[k] - now));
+            now = delays[k];
+            system.add(late[k], atOnce ? now : 0);
+            load();
+        }
+        result.report.add(system.advance(atOnce ? dt : dt - now));
+        result.particles = scene::sorted(system);
+        for (std::size_t i = 0; i < system.size(); ++i)
+        {
+            result.resting.push_back(system.resting(i));
+            result.inContact.push_back(system.inContact(i));
+            result.impulses.push_back(system.gasExchange(i).impulse);
+        }
+        return result;
+    };
+    const Result a = run(true), b = run(false);
+    EXPECT_GT(a.report.repeats, 0);
+    EXPECT_GT(a.report.wakes, 1);
+    EXPECT_EQ(a.report.islands, 1);
+    EXPECT_EQ(a.report.wakes, b.report.wakes);
+    EXPECT_EQ(a.report.touches, b.report.touches);
+    EXPECT_EQ(a.resting, b.resting);
+    EXPECT_EQ(a.inContact, b.inContact);
+    for (std::size_t i = 0; i < a.particles.size(); ++i)
+    {
+        EXPECT_LT((a.particles[i].x - b.particles[i].x).norm(), 1e-9) << i;
+        const std::int64_t id = a.particles[i].id;
+        const double flown = id < 5000 ? dt : dt - delays[id - 5000];
+        EXPECT_LT((a.impulses[i] - flown*pull).norm(), 1e-7*flown*pull.norm()) << i;
+    }
 }
 
 

@@ -32,6 +32,12 @@ struct Scene
         return store.add(sphere(law, id, r, x, v), 0);
     }
 
+    void rest(std::size_t i)
+    {
+        store.rest[i].resting = store.rest[i].inContact = true;
+        store.changed(i);
+    }
+
     void find(bool islands = true)
     {
         finder = std::make_unique<dem::IslandFinder>(store, walls, periodic, communicator, islands);
@@ -83,8 +89,7 @@ TEST(islandFinder, thoseWhoMeetAndNobodyElse)
     s.add(9, Vec3(-40*r, 0, 0), Vec3(-1, 0, 0));
     s.find();
     EXPECT_EQ(s.islands(), (Islands{{3, {3, 5}}}));
-    EXPECT_FALSE(s.finder->crowded(2));
-    EXPECT_FALSE(s.finder->crowded(3));
+    EXPECT_EQ(s.finder->alone(), (std::vector<std::size_t>{2, 3}));
     for (const dem::Label& l : s.finder->labels())
     {
         EXPECT_TRUE(l.active);
@@ -133,7 +138,7 @@ TEST(islandFinder, whatRestsIsAWallUntilSomebodyComes)
 {
     Scene s;
     const std::size_t resting = s.add(1, Vec3::Zero());
-    s.store.rest[resting].resting = true;
+    s.rest(resting);
     s.add(2, Vec3(0, 0, 30*r));
     s.find();
     EXPECT_TRUE(s.islands().empty());
@@ -141,6 +146,44 @@ TEST(islandFinder, whatRestsIsAWallUntilSomebodyComes)
     s.find();
     EXPECT_EQ(s.islands(), (Islands{{1, {1, 2}}}));
     EXPECT_EQ(s.finder->labels()[0].crowd.velocity, Vec3(0, 0, 0));
+}
+
+
+TEST(islandFinder, ofACakeOnlyWhatIsHitAndWhatThatTouches)
+{
+    // a row at rest, hit at one end: the first may wake, the second is the rim, the third is
+    // seen; the others are not looked at
+    Scene s;
+    const std::vector<std::int64_t> row{10, 11, 12, 13, 14};
+    for (std::size_t k = 0; k < row.size(); ++k) s.rest(s.add(row[k], Vec3(0, 0, -2*r*double(k))));
+    s.add(1, Vec3(0, 0, 3.99*r), Vec3(0, 0, -0.02));    // it touches at the end
+    s.find();
+    EXPECT_EQ(s.islands(), (Islands{{1, {1, 10, 11}}}));
+    EXPECT_TRUE(s.finder->path(0).open);
+    EXPECT_FALSE(s.finder->path(1).open);
+    EXPECT_FALSE(s.finder->path(1).joint);
+    const std::vector<dem::Seen> seen = s.finder->seen();
+    ASSERT_EQ(seen.size(), 1u);
+    EXPECT_EQ(seen[0].particle, 2u);
+    EXPECT_EQ(seen[0].component, 1);
+
+    // the rim turns out to wake: what it can meet comes in
+    s.finder->open(1);
+    while (!s.finder->settled(dt)) {}
+    EXPECT_EQ(s.islands().begin()->second.count(12), 1u);
+    EXPECT_TRUE(s.finder->path(1).joint);
+    EXPECT_FALSE(s.finder->path(2).open);
+}
+
+
+TEST(islandFinder, twoWhoHitFarApartAreTwoIslands)
+{
+    Scene s;
+    for (int k = 0; k < 20; ++k) s.rest(s.add(100 + k, Vec3(2*r*k, 0, 0)));
+    s.add(1, Vec3(0, 0, 3.99*r), Vec3(0, 0, -0.02));
+    s.add(2, Vec3(38*r, 0, 3.99*r), Vec3(0, 0, -0.02));
+    s.find();
+    EXPECT_EQ(s.islands(), (Islands{{1, {1, 100, 101}}, {2, {2, 118, 119}}}));
 }
 
 
@@ -152,6 +195,7 @@ TEST(islandFinder, anAggregateIsOneAndAlone)
         s.add(4 + k, Vec3(2*r*k, 0, 0));
         s.store.rest[std::size_t(k)].aggregate = 4;
         s.store.rest[std::size_t(k)].members = 3;
+        s.store.changed(std::size_t(k));
     }
     s.find();
     EXPECT_EQ(s.islands(), (Islands{{4, {4, 5, 6}}}));

@@ -113,3 +113,50 @@ TEST(islandMotion, aCollisionKeepsMomentumAndTellsWhoLeftItsCorridor)
     EXPECT_TRUE(island.holdsFor(narrow.members));
     EXPECT_FALSE(island.holdsFor({narrow.members[0]}));
 }
+
+
+TEST(islandMotion, whatWouldWakeTheRimEndsTheRun)
+{
+    // a row of three: one flies at the second; the third holds that, and is the rim
+    const auto shoot = [](double speed, bool rim)
+    {
+        Scene s;
+        dem::IslandMembers island;
+        island.members =
+        {
+            s.member(1, Vec3::Zero(), Vec3(speed, 0, 0)), s.member(2, Vec3(2.1*r, 0, 0)),
+            s.member(3, Vec3(4.0995*r, 0, 0)), s.member(4, Vec3(6.099*r, 0, 0))
+        };
+        for (std::size_t k = 1; k < 4; ++k)
+        {
+            dem::RestState& rest = island.members[k].rest;
+            rest.inContact = rest.resting = true;
+            rest.wakeForce = 1e-10;
+            rest.pullOff = 1e-8;
+        }
+        island.members[1].contacts.push_back({3, -1, {}, {}});
+        island.members[2].contacts.push_back({4, -1, {}, {}});
+        island.members[2].contacts.push_back({77, -1, {}, {}});     // that is gone
+        island.members[2].rim = rim;
+        island.members[3].rim = island.members[3].seen = true;
+        s.motion.move(island, 1e-6, 0, true);
+        return island;
+    };
+    const dem::IslandMembers hit = shoot(2, true);
+    EXPECT_TRUE(hit.outran);
+    EXPECT_FALSE(hit.members[1].woke);
+    EXPECT_TRUE(hit.members[2].woke);
+    EXPECT_EQ(hit.members[2].p.x.x(), 4.0995*r);
+
+    // what is no more is dropped; who is only looked at stays as it was
+    for (const bool rim : {true, false})
+    {
+        const dem::IslandMembers missed = shoot(-2, rim);
+        EXPECT_FALSE(missed.outran);
+        ASSERT_EQ(missed.members[2].contacts.size(), 1u);
+        EXPECT_EQ(missed.members[2].contacts[0].idJ, 4);
+        EXPECT_TRUE(missed.members[2].rest.inContact);
+        EXPECT_TRUE(missed.members[2].rest.resting);
+        EXPECT_EQ(missed.members[2].p.x.x(), 4.0995*r);
+    }
+}

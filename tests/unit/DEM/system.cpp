@@ -3,8 +3,13 @@
 // The DEM system as its users see it: collisions within a step, rest and wake, adding and
 // removing, restart, what it refuses.
 #include "clouds.hpp"
+#include "contacts/ContactRecord.hpp"
+#include "contacts/PackedState.hpp"
 #include "floatingTraps.hpp"
+#include "foundation/Fields.hpp"
 #include "timeIntegration/freeFlight.hpp"
+
+#include <set>
 
 using scene::close;
 using scene::near;
@@ -521,6 +526,83 @@ TEST(rest, wakingSpreadsAsFarAsTheLoad)
         for (int k = 0; k < 20; ++k) system->advance(1e-7);
         EXPECT_EQ(system->resting(1), pull < 1);
     }
+}
+
+
+TEST(rest, theRimForgetsWhatIsGone)
+{
+    // one at rest on the floor is hit; beside it, closer than a neck, is one that rested on what
+    // is gone: it is not woken, and touches nothing any more
+    const Law law = scene::stickyLaw();
+    const double r = 1e-6;
+    dem::System system(law.table(), {});
+    system.setWalls(scene::floor());
+    const double neck = system.materials().reach(0, r, system.walls());
+    ASSERT_GT(neck, 0);
+    system.add(sphere(law, 1, r, Vec3(0, 0, r)));
+    system.add(sphere(law, 2, r, Vec3(2*r + 0.1*neck, 0, r)));
+    system.add(sphere(law, 3, r, Vec3(-0.1*r, 0, 3.01*r), Vec3(0, 0, -1)));
+    dem::RestState rest;
+    rest.inContact = rest.resting = true;
+    rest.wakeForce = rest.pullOff = 1e-3;
+    const auto state = [&](const dem::ContactRecord& c)
+    {
+        std::vector<double> numbers{double(dem::PackedState::version)};
+        dem::pack(rest, numbers);
+        dem::pack(c, numbers);
+        return numbers;
+    };
+    system.unpackState(0, state({-1, 0, {0, 0, -1}, {}}));
+    system.unpackState(1, state({77, -1, {}, {}}));
+    EXPECT_TRUE(system.inContact(1));
+
+    const dem::StepReport report = system.advance(0.05e-6);
+    EXPECT_EQ(report.touches, 1);
+    EXPECT_EQ(report.wakes, 0);
+    EXPECT_EQ(report.resting, 2);
+    EXPECT_TRUE(system.resting(1));
+    EXPECT_FALSE(system.inContact(1));
+    EXPECT_EQ(report.inContact, 2);
+}
+
+
+TEST(rest, flagsAndCountsAreWhatContactsSay)
+{
+    // a rain that comes to rest and is hit again and again, so that much is rim
+    const Law law = scene::stickyLaw();
+    dem::System system(law.table(), {});
+    system.setWalls(scene::floor());
+    std::int64_t resting = 0;
+    for (int k = 0; k < 120; ++k)
+    {
+        if (k%30 == 0)
+        {
+            for (dem::Particle p : scene::rain(law, 40, 6e-6, 41 + unsigned(k)))
+            {
+                p.id += 1000*k;
+                p.x.z() += 30e-6;
+                system.add(p);
+            }
+        }
+        const dem::StepReport report = system.advance(1e-6);
+        std::set<std::int64_t> bonded;
+        for (const dem::ContactView& c : system.contacts())
+        {
+            bonded.insert(c.idI);
+            bonded.insert(c.idJ);
+        }
+        std::int64_t rests = 0, touches = 0;
+        for (std::size_t i = 0; i < system.size(); ++i)
+        {
+            rests += system.resting(i);
+            touches += system.inContact(i);
+            ASSERT_EQ(system.inContact(i), bonded.count(system.particle(i).id) == 1) << k;
+        }
+        ASSERT_EQ(report.resting, rests);
+        ASSERT_EQ(report.inContact, touches);
+        resting = std::max(resting, rests);
+    }
+    EXPECT_GT(resting, 60);
 }
 
 
