@@ -115,20 +115,15 @@ static std::string denseDragRemark
 } // End namespace Foam
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::dustCloud::summarise()
+void Foam::dustCloud::setBalance
+(
+    runSummary& summary,
+    tally& airborne,
+    tally& deposited
+)
 {
-    demData& d = *dem_;
-    runSummary summary;
-    const label inCloud = returnReduce(this->size(), sumOp<label>());
-    const label inSystem =
-        returnReduce(label(d.system->size()), sumOp<label>());
-    const tally out = escaped();
-
-    // Balance and aggregates
-
-    tally airborne, deposited;
     std::map<label, tally> patches;
     std::map<int64_t, label> members;
     for (const auto& p : snapshot().particles)
@@ -163,7 +158,7 @@ void Foam::dustCloud::summarise()
     {
         row("  on " + patch(p.first), p.second);
     }
-    row("escaped", out);
+    row("escaped", escaped());
     forAll(escaped_, patchi)
     {
         if (escaped_[patchi].count)
@@ -176,74 +171,6 @@ void Foam::dustCloud::summarise()
         row("  through " + name + ", now gone", escapedBefore_[name]);
     }
     row("refused at injection", refused_);
-
-    // Run time, work
-
-    const dem::StepReport& w = d.totals;
-    summary.parts =
-    {
-        {"gas", d.gasSeconds},
-        {"injection", d.injectionSeconds},
-        {"gas forces", d.forceSeconds},
-        {"DEM: contacts", w.secondsContact},
-        {"DEM: search", w.secondsSearch},
-        {"DEM: free flight", w.secondsFlight},
-        {
-            "DEM: exchange and waiting",
-            d.demSeconds - w.secondsContact - w.secondsSearch - w.secondsFlight
-        },
-        {"tracking", d.trackSeconds},
-        {"checks and progress", d.checkSeconds},
-        {"writing", d.ioSeconds}
-    };
-    summary.seconds = d.running.seconds();
-    summary.work = ofAllRanks(w);
-    summary.particleSteps = d.particleSteps;
-    summary.offMesh = returnReduce(d.offMesh, sumOp<label>());
-    summary.imbalance = twoWay_ ? exchangePtr_->imbalance() : -1;
-    summary.smallestMargin = d.smallestMargin;
-    summary.marginSteps = d.marginSteps;
-    summary.overlapSteps = d.overlapSteps;
-
-    if (keepsEnergyLedger())
-    {
-        summary.remarks += runSummary::energyText(energyLedger()) + "\n";
-    }
-    const std::string dense
-    (
-        denseDragRemark(*this, subModelProperties_.subDict("particleForces"))
-    );
-    if (!dense.empty())
-    {
-        summary.remarks += "    Warning: " + dense + "\n";
-    }
-
-    summary.closes =
-        injected_.count == inCloud + out.count
-     && inCloud == inSystem
-     && (
-            !Pstream::master()
-         || airborne.count + deposited.count == inCloud
-        );
-
-    summary.print(Info());
-    if (Pstream::master())
-    {
-        const fileName folder(mesh_.time().globalPath()/"postProcessing");
-        mkDir(folder);
-        summary.write(folder/"summary.csv");
-    }
-    printVerdict(summary, airborne, deposited);
-
-    if (!summary.closes)
-    {
-        FatalErrorInFunction
-            << "The particle balance does not close: injected "
-            << injected_.count << ", in the cloud " << inCloud
-            << ", in the DEM system " << inSystem << ", airborne "
-            << airborne.count << ", deposited " << deposited.count
-            << ", escaped " << out.count << exit(FatalError);
-    }
 }
 
 
@@ -298,6 +225,86 @@ void Foam::dustCloud::printVerdict
             << " if it does not stay with a finer mesh";
     }
     Info<< nl << endl;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::dustCloud::summarise()
+{
+    demData& d = *dem_;
+    runSummary summary;
+    const label inCloud = returnReduce(this->size(), sumOp<label>());
+    const label inSystem =
+        returnReduce(label(d.system->size()), sumOp<label>());
+    const tally out = escaped();
+
+    tally airborne, deposited;
+    setBalance(summary, airborne, deposited);
+
+    const dem::StepReport& w = d.totals;
+    summary.parts =
+    {
+        {"gas", d.gasSeconds},
+        {"injection", d.injectionSeconds},
+        {"gas forces", d.forceSeconds},
+        {"DEM: contacts", w.secondsContact},
+        {"DEM: search", w.secondsSearch},
+        {"DEM: free flight", w.secondsFlight},
+        {
+            "DEM: exchange and waiting",
+            d.demSeconds - w.secondsContact - w.secondsSearch - w.secondsFlight
+        },
+        {"tracking", d.trackSeconds},
+        {"checks and progress", d.checkSeconds},
+        {"writing", d.ioSeconds}
+    };
+    summary.seconds = d.running.seconds();
+    summary.work = ofAllRanks(w);
+    summary.particleSteps = d.particleSteps;
+    summary.offMesh = returnReduce(d.offMesh, sumOp<label>());
+    summary.imbalance = twoWay_ ? exchangePtr_->imbalance() : -1;
+    summary.smallestMargin = d.smallestMargin;
+    summary.marginSteps = d.marginSteps;
+    summary.overlapSteps = d.overlapSteps;
+
+    if (keepsEnergyLedger())
+    {
+        summary.remarks += runSummary::energyText(energyLedger()) + "\n";
+    }
+    const std::string dense
+    (
+        denseDragRemark(*this, subModelProperties_.subDict("particleForces"))
+    );
+    if (!dense.empty())
+    {
+        summary.remarks += "    Warning: " + dense + "\n";
+    }
+
+    summary.closes =
+        injected_.count == inCloud + out.count
+     && inCloud == inSystem
+     && (
+            !Pstream::master()
+         || airborne.count + deposited.count == inCloud
+        );
+
+    summary.print(Info());
+    if (Pstream::master())
+    {
+        summary.write(mesh_.time().globalPath()/"postProcessing/summary.csv");
+    }
+    printVerdict(summary, airborne, deposited);
+
+    if (!summary.closes)
+    {
+        FatalErrorInFunction
+            << "The particle balance does not close: injected "
+            << injected_.count << ", in the cloud " << inCloud
+            << ", in the DEM system " << inSystem << ", airborne "
+            << airborne.count << ", deposited " << deposited.count
+            << ", escaped " << out.count << exit(FatalError);
+    }
 }
 
 

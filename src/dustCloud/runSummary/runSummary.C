@@ -22,6 +22,7 @@ License
 #include "runSummary.H"
 #include "formatted.H"
 #include "OFstream.H"
+#include "OSspecific.H"
 #include "error.H"
 
 #include <algorithm>
@@ -261,6 +262,7 @@ std::string Foam::runSummary::energyText(const dem::EnergyLedger& e)
 
 void Foam::runSummary::write(const fileName& file) const
 {
+    mkDir(file.path());
     OFstream os(file);
     os << "quantity,value,unit" << nl;
     for (const row& r : rows())
