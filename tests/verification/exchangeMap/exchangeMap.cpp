@@ -314,10 +314,11 @@ void sum(State& s, const Case& c, const std::vector<double>& V, const std::vecto
     }
     for (std::size_t i = 0; i < s.v.size(); ++i)
     {
-        // With what the gas owes to bonded dust, which gets it in the next step
-        const Vec v = owed.empty() ? s.v[i] : s.v[i] + (1/s.m[i])*owed[i];
-        s.dust = s.dust + s.m[i]*v;
+        const Vec due = owed.empty() ? Vec{} : owed[i];
+        s.dust = s.dust + s.m[i]*s.v[i] + due;
         s.dustMass += s.m[i];
+        // With what bonded dust will get in the next step; what a wall holds gets nothing of it
+        const Vec v = c.scene == "bonded" ? s.v[i] + (1/s.m[i])*due : s.v[i];
         s.kinetic += 0.5*s.m[i]*dot(v, v);
         s.finite = s.finite && std::isfinite(dot(s.v[i], s.v[i]));
     }
