@@ -52,10 +52,10 @@ glyph.GlyphType.Radius = 0.5
 glyph.ScaleArray, glyph.ScaleFactor, glyph.GlyphMode = ["POINTS", "d"], 1, "All Points"
 
 layout = CreateLayout("strip")
-size = 480
+size = 360
 layout.SetSize(size * len(chosen), 2 * size)
 bottom = layout.SplitVertical(0, 0.5) + 1
-rows = [0, bottom]
+rows = [bottom - 1, bottom]
 cells = []
 for row in rows:
     left, line = row, []
@@ -90,7 +90,7 @@ for row, (direction, up) in enumerate([((1, 0, 0), (0, 0, 1)), ((0, 1, 0), (0, 0
         text = "%.3g ms, from upstream" if row == 0 else "%.3g ms, air flows to the right"
         shown = Show(Text(Text=text % (1e3 * time)), view, "TextSourceRepresentation")
         shown.WindowLocation = "Upper Center"
-        shown.FontSize, shown.Color = 18, [0, 0, 0]
+        shown.FontSize, shown.Color = 14, [0, 0, 0]
 
-SaveScreenshot(picture, layout, ImageResolution=[size * len(chosen), 2 * size])
+SaveScreenshot(picture, layout, ImageResolution=[size * len(chosen), 2 * size], CompressionLevel="9")
 print("%s: times %s s" % (picture, ", ".join("%g" % t for t in chosen)))
