@@ -209,12 +209,23 @@ void Foam::dustCloud::receive(const volVectorField& UOld)
     );
     cellShares place(mesh_);
     const cellShares::samples<vector> change(place.sampled(changes));
+    const word scheme(solution_.interpolationSchemes().lookup("U"));
+    const cellWallGeometry* near =
+        scheme == cellWall<vector>::typeName
+      ? mesh_.cfindObject<cellWallGeometry>(cellWallGeometry::typeName)
+      : nullptr;
 
     for (dustParcel& p : *this)
     {
         place.moveTo(p.x(), p.cell());
-        const vector impulse = p.response()*place.value(change);
+        vector impulse = p.response()*place.value(change);
         exchangePtr_->got(impulse);
+
+        // The gas at a wall changes less than its cell; the wall has the rest
+        if (const nearWall* walls = near ? near->walls(p.cell()) : nullptr)
+        {
+            impulse = walls->reaching(p.x(), impulse);
+        }
 
         if (p.state() == dustParcel::airborne)
         {

@@ -194,6 +194,31 @@ Foam::vector Foam::nearWall::alongOne
 }
 
 
+Foam::vector Foam::nearWall::turned(const point& x, vector u) const
+{
+    DynamicList<std::pair<scalar, vector>> order(walls_.size());
+    for (const wall& w : walls_)
+    {
+        const place p = seen(w, x);
+        order.append({min(scalar(1), p.y/w.yRef), p.n});
+    }
+    std::stable_sort
+    (
+        order.begin(),
+        order.end(),
+        [](const auto& a, const auto& b)
+        {
+            return a.first > b.first;
+        }
+    );
+    for (const auto& o : order)
+    {
+        u -= (o.second & u)*(1 - o.first)*o.second;
+    }
+    return u;
+}
+
+
 Foam::labelList Foam::nearWall::split(const UList<wallFace>& faces)
 {
     const label n = faces.size();
@@ -370,6 +395,16 @@ Foam::scalar Foam::nearWall::factor(const point& x) const
 }
 
 
+Foam::vector Foam::nearWall::reaching
+(
+    const point& x,
+    const vector& change
+) const
+{
+    return turned(x, min(scalar(1), factor(x))*change);
+}
+
+
 Foam::vector Foam::nearWall::velocity
 (
     const point& x,
@@ -401,32 +436,7 @@ Foam::vector Foam::nearWall::velocity
         return u;
     }
 
-    // The nearest wall last: its normal part is the one that must be right
-    DynamicList<std::pair<scalar, vector>> order(walls_.size());
-    scalar product = 1;
-    for (const wall& w : walls_)
-    {
-        const place p = seen(w, x);
-        const scalar s = p.y/w.yRef;
-        product *= w.slip ? 1 : s;
-        order.append({min(scalar(1), s), p.n});
-    }
-    std::stable_sort
-    (
-        order.begin(),
-        order.end(),
-        [](const auto& a, const auto& b)
-        {
-            return a.first > b.first;
-        }
-    );
-
-    vector u = product*W;
-    for (const auto& o : order)
-    {
-        u -= (o.second & u)*(1 - o.first)*o.second;
-    }
-    return u;
+    return turned(x, factor(x)*W);
 }
 
 
