@@ -1,11 +1,16 @@
 # 0/U from the centres of cells and faces in 0/C, by a closed form
 #
-#   awk -f gas.awk -v flow=stagnation|slip|channel|plug|kuwabara|potential -v unit= -v speed= [-v size=] 0/C > 0/U
+#   awk -f gas.awk -v flow=stagnation|slip|channel|plug|kuwabara|potential|hollow -v unit= -v speed= [-v size=] 0/C > 0/U
 #
 # unit: metres of one length of the form. size: height of the channel, radius of the outer
-# cylinder, in these lengths.
+# cylinder, of the hollow, in these lengths.
 function velocity(x, y,    r, f, g, c, s)
 {
+    if (flow == "hollow")
+    {
+        f = 1 - (x*x + y*y)/size^2
+        return sprintf("(%.17g %.17g 0)", -speed*f*x*(f - 4*y*y/size^2), speed*f*y*(f - 4*x*x/size^2))
+    }
     if (flow == "stagnation") return sprintf("(%.17g %.17g 0)", speed*2*x*y, -speed*y*y)
     if (flow == "slip") return sprintf("(%.17g %.17g 0)", speed*x, -speed*y)
     if (flow == "plug") return sprintf("(%.17g 0 0)", speed)

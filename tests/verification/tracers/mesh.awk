@@ -1,10 +1,11 @@
 # Gmsh file of a block of nx ny nz bricks, or of six tetrahedra for each of them
 #
 #   awk -f mesh.awk -v shape=box|annulus -v cell=hex|tet -v nx= -v ny= -v nz= \
-#       -v lx= -v ly= -v lz= [-v x0=] [-v grading=] [-v shake=] [-v wallTop=1] [-v sides=1]
+#       -v lx= -v ly= -v lz= [-v x0=] [-v grading=] [-v shake=] [-v wallTop=1] [-v inside=1] [-v sides=1]
 #
 # box: lx ly lz from (x0 0 0), wall at y = 0 (wallTop: and at y = ly).
-# annulus: the upper half between radius 1 (wall) and ly, x along the flow; nx cells round it.
+# annulus: the upper half between radius 1 (wall; inside: open) and ly (open; inside: wall), x along
+# the flow; nx cells round it.
 # grading: last over first cell in y. shake: inner points are moved by this share of a cell.
 # sides: left right front back low high are patches instead of open and wall.
 # Lengths in units of the caller's choice.
@@ -60,7 +61,7 @@ BEGIN {
         for (e = 0; e < 2; e++)
             side(sides ? 1 + e : 1, node(e*nx, j, k), node(e*nx, j + 1, k), node(e*nx, j + 1, k + 1), node(e*nx, j, k + 1))
     for (k = 0; k < nz; k++) for (i = 0; i < nx; i++) for (e = 0; e < 2; e++)
-        side(sides ? 3 + e : e && !wallTop ? 1 : 2, node(i, e*ny, k), node(i + 1, e*ny, k), node(i + 1, e*ny, k + 1), node(i, e*ny, k + 1))
+        side(sides ? 3 + e : inside ? 1 + e : e && !wallTop ? 1 : 2, node(i, e*ny, k), node(i + 1, e*ny, k), node(i + 1, e*ny, k + 1), node(i, e*ny, k + 1))
     for (j = 0; j < ny; j++) for (i = 0; i < nx; i++) for (e = 0; e < 2; e++)
         side(sides ? 5 + e : 1, node(i, j, e*nz), node(i + 1, j, e*nz), node(i + 1, j + 1, e*nz), node(i, j + 1, e*nz))
     for (k = 0; k < nz; k++) for (j = 0; j < ny; j++) for (i = 0; i < nx; i++)
