@@ -191,7 +191,7 @@ void Foam::cellWallGeometry::findWallFaces
         w.patch = patchi;
         w.slip = kinds_[patchi] == slip;
         vector canonical;
-        measure(f, w.centre, canonical);
+        measure(ordered(face(identity(f.size())), f), w.centre, canonical);
         w.n = (canonical & area) < 0 ? canonical : -canonical;
         w.n /= max(mag(w.n), VSMALL);
         faces.append(w);
@@ -232,7 +232,7 @@ void Foam::cellWallGeometry::findWallFaces
             const vector& area =
                 mesh_.faceAreas()[patches[patchi].start() + i];
             bool tell = false;
-            add(ordered(f, points), patchi, area);
+            add(f.points(points), patchi, area);
             for (const label pointi : f)
             {
                 ofPoint(pointi).append(faces.size() - 1);

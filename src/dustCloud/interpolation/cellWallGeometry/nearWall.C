@@ -21,6 +21,8 @@ License
 
 #include "nearWall.H"
 
+#include "face.H"
+
 #include <algorithm>
 #include <utility>
 
@@ -329,15 +331,20 @@ Foam::nearWall::nearWall
                 continue;
             }
             const wallFace& f = faces[j];
-            const label nPoints = f.points.size();
 
-            // Quads in two, others round their centre: few and canonical
-            for (label k = 0; k < (nPoints < 5 ? nPoints - 2 : nPoints); ++k)
+            // As patchWalls gives them to the particles: on warped faces
+            // another cut lies by a particle's size elsewhere
+            const face all(identity(f.points.size()));
+            faceList cut(all.nTriangles());
+            label n = 0;
+            all.triangles(f.points, n, cut);
+
+            for (const face& corners : cut)
             {
                 triangle t;
-                t.a = nPoints < 5 ? f.points[0] : f.centre;
-                t.b = f.points[nPoints < 5 ? k + 1 : k];
-                t.c = f.points[nPoints < 5 ? k + 2 : (k + 1)%nPoints];
+                t.a = f.points[corners[0]];
+                t.b = f.points[corners[1]];
+                t.c = f.points[corners[2]];
                 t.n = (t.b - t.a)^(t.c - t.a);
                 const scalar area = mag(t.n);
                 if (area <= VSMALL)
