@@ -200,6 +200,7 @@ bool ParticleStep::widenThoseWhoOutran(const std::vector<const Member*>& moved)
 void ParticleStep::takeBack(const Member& m)
 {
     const std::size_t i = m.index;
+    store_.moved.push_back(i);
     store_.contacts[i] = m.contacts;
     store_.give(i, m.exchange);
     store_.particles[i] = m.p;
@@ -214,6 +215,7 @@ void ParticleStep::flyFreely
     const std::vector<std::size_t>& flights, double dt, bool keepExchange, StepReport& report
 )
 {
+    store_.moved.insert(store_.moved.end(), flights.begin(), flights.end());
     for (const std::size_t i : flights)
     {
         Particle& p = store_.particles[i];

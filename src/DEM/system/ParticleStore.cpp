@@ -122,6 +122,7 @@ void ParticleStore::began(double dt)
 {
     step_ = dt;
     ++steps_;
+    moved.clear();
 }
 
 
@@ -146,6 +147,7 @@ const GasExchange& ParticleStore::gasExchange(std::size_t i)
 void ParticleStore::remove(const std::vector<char>& marked)
 {
     index.remove(marked);
+    moved.clear();
     std::size_t kept = 0;
     for (std::size_t i = 0; i < particles.size(); ++i)
     {

@@ -37,6 +37,7 @@ struct ParticleStore
     std::unordered_map<std::int64_t, std::size_t> indexOf;
     std::unordered_map<std::int64_t, double> entering;      // by id, see delay()
     RestIndex index;                        // who moves, who rests
+    std::vector<std::size_t> moved;         // who took part in the last advance(), in any order
     Counts counts;
 
     std::size_t size() const { return particles.size(); }

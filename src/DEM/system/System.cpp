@@ -206,6 +206,10 @@ bool System::resting(std::size_t i) const
 }
 
 
+const std::vector<std::size_t>& System::awake() const { return impl_->store.index.awake(); }
+const std::vector<std::size_t>& System::moved() const { return impl_->store.moved; }
+
+
 bool System::inContact(std::size_t i) const
 {
     return impl_->store.rest[impl_->store.checked(i)].inContact;

@@ -91,6 +91,12 @@ public:
 
         bool resting(std::size_t index) const;
 
+        //- Indices of those who move in the next advance(), ascending; and of those who took part
+        //  in the last one, in any order: nobody else was changed by it. The first holds until
+        //  anything of the system is changed, the second until the next advance() or remove().
+        const std::vector<std::size_t>& awake() const;
+        const std::vector<std::size_t>& moved() const;
+
         //- In at least one contact (pair or wall) at the end of the last advance()
         bool inContact(std::size_t index) const;
 

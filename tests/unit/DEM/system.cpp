@@ -606,6 +606,59 @@ TEST(rest, flagsAndCountsAreWhatContactsSay)
 }
 
 
+TEST(rest, namesThoseWhomAStepMayHaveChanged)
+{
+    // as above; what awake() and moved() do not name is as it was, and that is most of it
+    const Law law = scene::stickyLaw();
+    dem::System system(law.table(), {});
+    system.setWalls(scene::floor());
+    std::size_t most = 0, largest = 0;
+    for (int k = 0; k < 120; ++k)
+    {
+        if (k%30 == 0)
+        {
+            for (dem::Particle p : scene::rain(law, k ? 3 : 120, k ? 2e-6 : 10e-6, 41 + unsigned(k)))
+            {
+                p.id += 1000*k;
+                p.x.z() += 30e-6;
+                system.add(p);
+            }
+        }
+        std::vector<std::size_t> awake;
+        std::vector<std::vector<double>> before;
+        std::vector<dem::Particle> there;
+        for (std::size_t i = 0; i < system.size(); ++i)
+        {
+            if (!system.resting(i)) awake.push_back(i);
+            there.push_back(system.particle(i));
+            before.push_back(system.packState(i));
+        }
+        ASSERT_EQ(system.awake(), awake) << k;
+
+        system.advance(1e-6);
+        std::set<std::size_t> moved(system.moved().begin(), system.moved().end());
+        ASSERT_EQ(moved.size(), system.moved().size()) << k;
+        for (const std::size_t i : awake) ASSERT_TRUE(moved.count(i)) << k;
+        for (std::size_t i = 0; i < system.size(); ++i)
+        {
+            if (moved.count(i)) continue;
+            const dem::Particle& p = system.particle(i);
+            ASSERT_EQ(p.x, there[i].x);
+            ASSERT_EQ(p.v, there[i].v);
+            ASSERT_EQ(p.omega, there[i].omega);
+            ASSERT_EQ(system.packState(i), before[i]);
+        }
+        if (k > 60) most = std::max(most, moved.size());
+        largest = system.size();
+    }
+    EXPECT_GT(most, 2u);
+    EXPECT_LT(most, largest/2);
+    system.remove(std::vector<char>(largest, 1));
+    EXPECT_TRUE(system.moved().empty());
+    EXPECT_TRUE(system.awake().empty());
+}
+
+
 // * * * * * * * * * * * * * Adding, removing, restarting * * * * * * * * * * * * * * * * //
 
 TEST(system, removeClosesTheGapsAndEndsContacts)
