@@ -171,7 +171,9 @@ void Foam::dustCloud::addArrival(dustParcel& p)
     dem::System& system = *dem_->system;
     try
     {
-        p.demIndex() = label(system.add(particle, max(-p.age(), scalar(0))));
+        system.add(particle, max(-p.age(), scalar(0)));
+        dem_->parcels.add(p);
+        p.since() = dem_->clock;
         p.loaded() = false;
         unpackLoad(p);
 
@@ -189,6 +191,10 @@ void Foam::dustCloud::addArrival(dustParcel& p)
             }
             p.blob().clear();
         }
+        if (system.resting(std::size_t(p.demIndex())))
+        {
+            dem_->parcels.settled(p);
+        }
     }
     catch (const dem::inputError& e)
     {
@@ -201,43 +207,20 @@ void Foam::dustCloud::addArrival(dustParcel& p)
 
 void Foam::dustCloud::addArrivals()
 {
-    for (dustParcel& p : *this)
+    DynamicList<dustParcel*> arrivals;
+    for
+    (
+        auto iter = IDLList<dustParcel>::rbegin();
+        iter.good() && iter().demIndex() < 0;
+        ++iter
+    )
     {
-        if (p.demIndex() < 0)
-        {
-            addArrival(p);
-        }
+        arrivals.append(&iter());
     }
-    leaving_.assign(dem_->system->size(), 0);
-}
-
-
-void Foam::dustCloud::removeLeavers()
-{
-    const auto end = leaving_.end();
-    if (std::find(leaving_.begin(), end, char(1)) == end)
+    for (label i = arrivals.size() - 1; i >= 0; --i)
     {
-        return;
+        addArrival(*arrivals[i]);
     }
-
-    // New index of those that stay
-    labelList index(label(leaving_.size()), -1);
-    label n = 0;
-    forAll(index, i)
-    {
-        index[i] = leaving_[std::size_t(i)] ? -1 : n++;
-    }
-
-    dem_->system->remove(leaving_);
-
-    for (dustParcel& p : *this)
-    {
-        if (p.demIndex() >= 0)
-        {
-            p.demIndex() = index[p.demIndex()];
-        }
-    }
-    leaving_.assign(dem_->system->size(), 0);
 }
 
 
@@ -436,7 +419,7 @@ Foam::dustCloud::dustCloud
     );
     d.gasViscosity = gMax(mu_.primitiveField());
 
-    d.startTime = d.now = mesh_.time().value();
+    d.startTime = d.now = d.clock = mesh_.time().value();
     d.progressInterval = particleProperties_.lookupOrDefault<scalar>
     (
         "progressInterval",
@@ -688,6 +671,7 @@ void Foam::dustCloud::evolve(const scalar gasSeconds)
         {
             p.loaded() = false;
         }
+        d.parcels.newGas();
     }
 
     snapshotPtr_.reset();
@@ -708,6 +692,10 @@ void Foam::dustCloud::evolve(const scalar gasSeconds)
         closeExchange();
     }
     updateCellOccupancy();
+    if (functions_.size())
+    {
+        bringUp();
+    }
     #if OPENFOAM >= 2006
     functions_.postEvolve(*tdPtr_);
     #else

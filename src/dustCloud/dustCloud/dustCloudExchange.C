@@ -186,6 +186,7 @@ void Foam::dustCloud::closeExchange()
     cellShares place(mesh_);
     for (dustParcel& p : *this)
     {
+        bringUp(p);
         place.moveTo(p.x(), p.cell());
         exchangePtr_->give(place, p.given());
         exchangePtr_->respond(place, p.response(), p.mass(), p.held());
@@ -251,6 +252,16 @@ void Foam::dustCloud::giveLast(dustParcel& p)
         cellShares place(mesh_);
         place.moveTo(p.position(), p.cell());
         exchangePtr_->give(place, p.given());
+    }
+
+    // By a cloud function, and not through a patch
+    if (p.demIndex() >= 0)
+    {
+        dem_->parcels.leaves(p);
+    }
+    if (blocked_.size() && blocked_.last() == &p)
+    {
+        blocked_.remove();
     }
 }
 

@@ -292,6 +292,7 @@ bool Foam::dustCloud::writeObject
     // Writing fills buffers and counters, but changes no physics
     dustCloud& self = const_cast<dustCloud&>(*this);
 
+    self.bringUp();
     for (dustParcel& p : self)
     {
         const std::vector<double> state

@@ -111,19 +111,7 @@ void Foam::dustCloud::insert(const scalar dt)
     if (newcomers.size())
     {
         settleStarts(starting);
-        if (Pstream::parRun())
-        {
-            // Some have gone to other ranks
-            addArrivals();
-        }
-        else
-        {
-            for (dustParcel* pPtr : starting)
-            {
-                addArrival(*pPtr);
-            }
-            leaving_.resize(d.system->size(), 0);
-        }
+        addArrivals();
     }
     d.injectionSeconds += watch.seconds();
 }
@@ -443,16 +431,12 @@ void Foam::dustCloud::inject(dustParcel::trackingData& td, const bool streams)
     if (streams && Pstream::parRun())
     {
         // On their way some have left this rank
-        td.relocating = true;
-        Cloud<dustParcel>::move(*this, td, solution_.trackTime());
-        td.relocating = false;
-
-        if (returnReduce(blocked_.size(), sumOp<label>()))
+        DynamicList<dustParcel*> all;
+        for (dustParcel& p : *this)
         {
-            settleBlocked();
+            all.append(&p);
         }
-        removeLeavers();
-        addArrivals();
+        follow(all, td, solution_.trackTime());
         countEscapes();
     }
 

@@ -23,6 +23,7 @@ License
 #include "brownianMotion.H"
 #include "cellWall.H"
 #include "gasLoads.H"
+#include "parcelTracking.H"
 #include "startCells.H"
 
 #include "PstreamBuffers.H"
@@ -32,6 +33,7 @@ License
 #include "StochasticCollisionModel.H"
 #include "SurfaceFilmModel.H"
 
+#include <algorithm>
 #include <cmath>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -55,35 +57,32 @@ void Foam::dustCloud::setGasLoads
 (
     dustParcel::trackingData& td,
     const scalar dt,
-    const label subStep,
-    vectorField& nonCoupled
+    const label subStep
 )
 {
     demData& d = *dem_;
-
-    if (twoWay_)
-    {
-        nonCoupled.setSize(size());
-    }
 
     // From x itself: the last bits of the tracked position depend on the
     // decomposition
     const bool atPoint = isA<cellWall<vector>>(td.UInterp());
 
     DynamicList<label> drags;
-    label i = 0;
-    d.kicks.setSize(size());
-    d.kicks = Zero;
 
-    for (dustParcel& p : *this)
+    // Turbulence changes what the gas does to those at rest, too
+    for (dustParcel* pPtr : d.parcels.toLoad(*d.system, d.dispersion))
     {
-        const label parceli = i++;
+        dustParcel& p = *pPtr;
+        const bool resting = p.state() == dustParcel::resting;
 
         // At rest in a gas that does not change (one that is solved: within
         // the gas step): nothing new
-        if (p.loaded() && !twoWay_ && !d.dispersion)
+        if (p.loaded() && (resting || !twoWay_) && !d.dispersion)
         {
             continue;
+        }
+        if (twoWay_ && resting)
+        {
+            bringUp(p);
         }
 
         const tetIndices tets(p.currentTetIndices());
@@ -122,69 +121,137 @@ void Foam::dustCloud::setGasLoads
         }
 
         const vector owed = p.owed()/dt;
-        d.kicks[parceli] =
-            setGasLoad(p, td, loads, td.Uc() - Umean, owed, subStep);
-
-        if (twoWay_)
-        {
-            nonCoupled[parceli] = loads.nonCoupled().Su() + owed;
-        }
+        p.kick() = setGasLoad(p, td, loads, td.Uc() - Umean, owed, subStep);
+        p.nonCoupled() = loads.nonCoupled().Su() + owed;
     }
+}
+
+
+void Foam::dustCloud::bringUp(dustParcel& p)
+{
+    const demData& d = *dem_;
+    if (p.since() == d.clock)
+    {
+        return;
+    }
+
+    // Gas step by gas step: a restart in between must not change a bit
+    const scalar* end =
+        std::upper_bound(d.ends.cbegin(), d.ends.cend(), p.since());
+    for (; end != d.ends.cend(); ++end)
+    {
+        p.age() += *end - p.since();
+        p.since() = *end;
+    }
+    const scalar rested = d.clock - p.since();
+    p.age() += rested;
+    p.since() = d.clock;
+
+    // In two-way coupling all are brought up in each gas step
+    if (twoWay_)
+    {
+        const dem::GasLoad& load =
+            d.system->gasLoad(std::size_t(p.demIndex()));
+        p.given() +=
+            toVector(rested*(load.Sp*load.Uc + load.Su))
+          - rested*p.nonCoupled();
+        p.response() += rested*load.Sp;
+        p.held() = true;
+    }
+}
+
+
+void Foam::dustCloud::bringUp()
+{
+    for (dustParcel& p : *this)
+    {
+        bringUp(p);
+    }
+    dem_->ends.clear();
 }
 
 
 void Foam::dustCloud::takeMotion
 (
-    const scalar dt,
-    const vectorField& nonCoupled
+    const UList<dustParcel*>& moved,
+    const scalar dt
 )
 {
-    dem::System& system = *dem_->system;
-    const bool kicking = dem_->brownian;
-    label i = 0;
+    demData& d = *dem_;
+    dem::System& system = *d.system;
 
-    for (dustParcel& p : *this)
+    for (dustParcel* pPtr : moved)
     {
+        dustParcel& p = *pPtr;
         const std::size_t index = std::size_t(p.demIndex());
         const dem::Particle& particle = system.particle(index);
         const bool resting = system.resting(index);
         if
         (
-            resting && p.state() == dustParcel::resting && !twoWay_
+            resting && p.state() == dustParcel::resting
          && p.x() == toVector(particle.x)
         )
         {
-            p.age() += dt;
-            ++i;
             continue;
         }
+        bringUp(p);
 
         vector kick(Zero);
-        if (kicking && !system.inContact(index))
+        if (d.brownian && !system.inContact(index))
         {
-            kick = p.mass()*dem_->kicks[i];
+            kick = p.mass()*p.kick();
             system.kick(index, toVec3(kick));
         }
+        p.kick() = Zero;
 
         if (twoWay_)
         {
             const dem::GasExchange& e = system.gasExchange(index);
             const scalar flown = min(dt, dt + p.age());
-            p.given() += toVector(e.impulse) + kick - flown*nonCoupled[i];
+            p.given() += toVector(e.impulse) + kick - flown*p.nonCoupled();
             p.response() = p.response()*e.memory + e.response;
             p.held() = e.held;
             p.owed() = Zero;
         }
-        ++i;
 
         p.setX(toVector(particle.x));
         p.U() = toVector(particle.v);
         p.omega() = toVector(particle.omega);
         p.age() += dt;
+        p.since() = d.now;
         p.state() =
             resting ? dustParcel::resting
           : system.inContact(index) ? dustParcel::inContact
           : dustParcel::airborne;
+
+        if (resting && (!p.loaded() || twoWay_))
+        {
+            // Without what the gas owed
+            p.loaded() = false;
+            d.parcels.settled(p);
+        }
+    }
+    d.clock = d.now;
+}
+
+
+void Foam::dustCloud::follow
+(
+    const UList<dustParcel*>& moved,
+    dustParcel::trackingData& td,
+    const scalar dt
+)
+{
+    parcelTracking(*this, td).move(moved, dt);
+
+    if (returnReduce(blocked_.size(), sumOp<label>()))
+    {
+        settleBlocked();
+    }
+    dem_->parcels.removeLeavers(*dem_->system);
+    if (Pstream::parRun())
+    {
+        addArrivals();
     }
 }
 
@@ -357,21 +424,23 @@ void Foam::dustCloud::motion(dustParcel::trackingData& td)
 {
     demData& d = *dem_;
 
-    vectorField nonCoupled;
-    if (twoWay_)
-    {
-        exchangePtr_->reset();
-        for (dustParcel& p : *this)
-        {
-            p.given() = Zero;
-            p.response() = 0;
-        }
-    }
     d.gasStep = dem::StepReport();
 
     // Not the sum of all steps: a restarted run must have the same time
     const scalar end = mesh_.time().value();
     d.now = end - solution_.trackTime();
+    if (twoWay_)
+    {
+        bringUp();
+        exchangePtr_->reset();
+        for (dustParcel& p : *this)
+        {
+            p.since() = d.now;
+            p.given() = Zero;
+            p.response() = 0;
+        }
+        d.clock = d.now;
+    }
     if (!gasFrozen_)
     {
         d.insertion->newGas(end);
@@ -385,7 +454,7 @@ void Foam::dustCloud::motion(dustParcel::trackingData& td)
         insert(dt);
 
         const stopwatch forcing;
-        setGasLoads(td, dt, subStep, nonCoupled);
+        setGasLoads(td, dt, subStep);
         d.forceSeconds += forcing.seconds();
 
         const stopwatch moving;
@@ -403,25 +472,17 @@ void Foam::dustCloud::motion(dustParcel::trackingData& td)
         ++d.particleSteps;
 
         const stopwatch tracking;
-        takeMotion(dt, nonCoupled);
-
-        td.relocating = true;
-        Cloud<dustParcel>::move(*this, td, dt);
-        td.relocating = false;
-
-        if (returnReduce(blocked_.size(), sumOp<label>()))
-        {
-            settleBlocked();
-        }
-        removeLeavers();
-        if (Pstream::parRun())
-        {
-            addArrivals();
-        }
-        d.trackSeconds += tracking.seconds();
         d.now = dt < left ? d.now + dt : end;
+        const UList<dustParcel*>& moved = d.parcels.changed(*d.system);
+        takeMotion(moved, dt);
+        follow(moved, td, dt);
+        d.trackSeconds += tracking.seconds();
     }
 
+    if (!twoWay_)
+    {
+        d.ends.append(d.now);
+    }
     d.totals.add(d.gasStep);
     countEscapes();
 }
@@ -456,9 +517,9 @@ void Foam::dustCloud::countEscapes()
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::vector Foam::dustCloud::wayTo(const dustParcel& p) const
+Foam::vector Foam::dustCloud::way(const point& from, const point& to) const
 {
-    return toVector(dem_->periodic.nearest(toVec3(p.x() - p.position())));
+    return toVector(dem_->periodic.nearest(toVec3(to - from)));
 }
 
 
@@ -503,8 +564,7 @@ void Foam::dustCloud::leaveRank(dustParcel& p)
         p.load()[8 + i] = load.omegaC[i];
     }
 
-    leaving_[std::size_t(p.demIndex())] = 1;
-    p.demIndex() = -1;
+    dem_->parcels.leaves(p);
 }
 
 
@@ -529,8 +589,7 @@ void Foam::dustCloud::noteEscape(dustParcel& p, const label patchi)
 
     if (p.demIndex() >= 0)
     {
-        leaving_[std::size_t(p.demIndex())] = 1;
-        p.demIndex() = -1;
+        dem_->parcels.leaves(p);
     }
 }
 

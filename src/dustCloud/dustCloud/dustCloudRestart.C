@@ -306,7 +306,7 @@ void Foam::dustCloud::findAgain()
             renumbered
          || !fits(p)
          || (
-                mag(wayTo(p)) > width(p.cell())
+                mag(way(p.position(), p.x())) > width(p.cell())
              && !mesh_.pointInCell(p.x(), p.cell())
             );
     }
@@ -347,7 +347,7 @@ void Foam::dustCloud::findAgain()
     label n = 0;
     for (dustParcel& p : *this)
     {
-        if (fits(p) && mag(wayTo(p)) < 1e-6*width(p.cell()))
+        if (fits(p) && mag(way(p.position(), p.x())) < 1e-6*width(p.cell()))
         {
             continue;
         }

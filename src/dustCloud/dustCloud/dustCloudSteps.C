@@ -33,8 +33,9 @@ Foam::scalar Foam::dustCloud::particleStepLimit() const
     const scalar maxCo = solution_.maxCo();
     scalar limit = solution_.dict().lookupOrDefault<scalar>("deltaTMax", GREAT);
 
-    for (const dustParcel& p : *this)
+    for (const std::size_t index : d.system->awake())
     {
+        const dustParcel& p = d.parcels[index];
         if (p.state() == dustParcel::resting)
         {
             continue;

@@ -64,7 +64,10 @@ Foam::dustParcel::dustParcel
     load_(scalar(0)),
     blob_(),
     demIndex_(-1),
-    loaded_(false)
+    loaded_(false),
+    since_(0),
+    nonCoupled_(Zero),
+    kick_(Zero)
 {}
 
 
@@ -87,7 +90,10 @@ Foam::dustParcel::dustParcel
     load_(scalar(0)),
     blob_(),
     demIndex_(-1),
-    loaded_(false)
+    loaded_(false),
+    since_(0),
+    nonCoupled_(Zero),
+    kick_(Zero)
 {}
 
 
@@ -111,7 +117,10 @@ Foam::dustParcel::dustParcel
     load_(scalar(0)),
     blob_(),
     demIndex_(-1),
-    loaded_(false)
+    loaded_(false),
+    since_(0),
+    nonCoupled_(Zero),
+    kick_(Zero)
 {
     if (readFields)
     {
@@ -145,7 +154,10 @@ Foam::dustParcel::dustParcel(const dustParcel& p, const polyMesh& mesh)
     load_(p.load_),
     blob_(p.blob_),
     demIndex_(-1),
-    loaded_(false)
+    loaded_(false),
+    since_(0),
+    nonCoupled_(Zero),
+    kick_(Zero)
 {}
 
 
