@@ -298,6 +298,34 @@ Foam::labelList Foam::nearWall::split(const UList<wallFace>& faces)
 }
 
 
+void Foam::nearWall::addTriangles
+(
+    const wallFace& f,
+    DynamicList<triangle>& triangles
+)
+{
+    const face all(identity(f.points.size()));
+    faceList cut(all.nTriangles());
+    label n = 0;
+    all.triangles(f.points, n, cut);
+
+    for (const face& corners : cut)
+    {
+        triangle t;
+        t.a = f.points[corners[0]];
+        t.b = f.points[corners[1]];
+        t.c = f.points[corners[2]];
+        t.n = (t.b - t.a)^(t.c - t.a);
+        const scalar area = mag(t.n);
+        if (area > VSMALL)
+        {
+            t.n /= (t.n & f.n) < 0 ? -area : area;
+            triangles.append(t);
+        }
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::nearWall::nearWall
@@ -326,33 +354,9 @@ Foam::nearWall::nearWall
 
         forAll(faces, j)
         {
-            if (group[j] != group[i])
+            if (group[j] == group[i])
             {
-                continue;
-            }
-            const wallFace& f = faces[j];
-
-            // As patchWalls gives them to the particles: on warped faces
-            // another cut lies by a particle's size elsewhere
-            const face all(identity(f.points.size()));
-            faceList cut(all.nTriangles());
-            label n = 0;
-            all.triangles(f.points, n, cut);
-
-            for (const face& corners : cut)
-            {
-                triangle t;
-                t.a = f.points[corners[0]];
-                t.b = f.points[corners[1]];
-                t.c = f.points[corners[2]];
-                t.n = (t.b - t.a)^(t.c - t.a);
-                const scalar area = mag(t.n);
-                if (area <= VSMALL)
-                {
-                    continue;
-                }
-                t.n /= (t.n & f.n) < 0 ? -area : area;
-                w.triangles.append(t);
+                addTriangles(faces[j], w.triangles);
             }
         }
         if (w.triangles.empty())
