@@ -341,49 +341,9 @@ Foam::tmp<Foam::surfaceScalarField> Foam::faceMean::flux
 }
 
 
-Foam::tmp<Foam::surfaceScalarField> Foam::faceMean::onFaces
-(
-    const volScalarField& r
-) const
-{
-    tmp<surfaceScalarField> trf
-    (
-        new surfaceScalarField
-        (
-            IOobject("resistanceOnFaces", mesh_.time().timeName(), mesh_),
-            mesh_,
-            dimensionedScalar(r.dimensions(), Zero)
-        )
-    );
-    surfaceScalarField& rf = trf.ref();
-
-    forAll(mesh_.neighbour(), facei)
-    {
-        const scalar a = ownPart_[facei];
-        rf[facei] =
-            a*r[mesh_.owner()[facei]] + (1 - a)*r[mesh_.neighbour()[facei]];
-    }
-    forAll(r.boundaryField(), patchi)
-    {
-        const fvPatchScalarField& rb = r.boundaryField()[patchi];
-        const scalarField& a = ownPart_.boundaryField()[patchi];
-        if (rb.coupled())
-        {
-            rf.boundaryFieldRef()[patchi] =
-                a*rb.patchInternalField() + (1 - a)*rb.patchNeighbourField();
-        }
-        else if (open_[patchi])
-        {
-            rf.boundaryFieldRef()[patchi] = rb.patchInternalField();
-        }
-    }
-    return trf;
-}
-
-
 Foam::tmp<Foam::symmTensorField> Foam::faceMean::resistance
 (
-    const surfaceScalarField& rf
+    const volScalarField& r
 ) const
 {
     tmp<symmTensorField> tR(new symmTensorField(mesh_.nCells(), Zero));
@@ -391,25 +351,33 @@ Foam::tmp<Foam::symmTensorField> Foam::faceMean::resistance
 
     forAll(mesh_.neighbour(), facei)
     {
+        const label own = mesh_.owner()[facei];
+        const label other = mesh_.neighbour()[facei];
         const scalar a = ownPart_[facei];
         const scalar rWay =
-            mesh_.magSf()[facei]*normalWay_[facei]*rf[facei];
-        R[mesh_.owner()[facei]] += a*rWay*sqr(ownNormal_[facei]);
-        R[mesh_.neighbour()[facei]] +=
-            (1 - a)*rWay*sqr(neighbourNormal_[facei]);
+            mesh_.magSf()[facei]*normalWay_[facei]
+           *(a*r[own] + (1 - a)*r[other]);
+        R[own] += a*rWay*sqr(ownNormal_[facei]);
+        R[other] += (1 - a)*rWay*sqr(neighbourNormal_[facei]);
     }
-    forAll(rf.boundaryField(), patchi)
+    forAll(r.boundaryField(), patchi)
     {
-        const fvsPatchScalarField& rfb = rf.boundaryField()[patchi];
-        const scalarField rWay
-        (
-            ownPart_.boundaryField()[patchi]*rfb.patch().magSf()
-           *normalWay_.boundaryField()[patchi]*rfb
-        );
+        const fvPatchScalarField& rb = r.boundaryField()[patchi];
+        if (!open_[patchi])
+        {
+            continue;
+        }
+        const scalarField& a = ownPart_.boundaryField()[patchi];
+        scalarField rWay(rb.patchInternalField());
+        if (rb.coupled())
+        {
+            rWay = a*rWay + (1 - a)*rb.patchNeighbourField();
+        }
+        rWay *= a*rb.patch().magSf()*normalWay_.boundaryField()[patchi];
         forAll(rWay, i)
         {
-            R[rfb.patch().faceCells()[i]] +=
-                rWay[i]*sqr(ownNormal_[rfb.patch().start() + i]);
+            R[rb.patch().faceCells()[i]] +=
+                rWay[i]*sqr(ownNormal_[rb.patch().start() + i]);
         }
     }
     R /= mesh_.V();
