@@ -2,6 +2,7 @@
 // All that the gas coupling may include of the DEM library.
 #pragma once
 
+#include "advice/adviseRatio.hpp"
 #include "contactModels/contactModel/contactModelTable.hpp"
 #include "contacts/PackedState.hpp"
 #include "materials/MaterialTable.hpp"

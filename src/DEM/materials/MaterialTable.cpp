@@ -56,6 +56,60 @@ void check(const Material& m)
     }
 }
 
+
+
+void checkRatio(double chi)
+{
+    if (isFinite(chi) && chi > 0 && chi <= 1) return;
+    throw inputError("reducedStiffness/ratio", text(chi), "above 0, at most 1");
+}
+
+
+PairConstants softened
+(
+    const Material& a, const Material& b, const ContactSettings& s,
+    const ReducedStiffness& softening
+)
+{
+    const auto compliance = [](const Material& m)
+    {
+        return (1 - m.poissonRatio*m.poissonRatio)/m.youngsModulus;
+    };
+    const auto shearCompliance = [](const Material& m)
+    {
+        return (2 - m.poissonRatio)*2*(1 + m.poissonRatio)/m.youngsModulus;
+    };
+    const double mixedE = 1/(compliance(a) + compliance(b));
+    const double mixedG = 1/(shearCompliance(a) + shearCompliance(b));
+    const std::string pair = "contact/" + a.name + "." + b.name;
+
+    PairConstants c;
+    c.realE = s.effectiveYoungsModulus.value_or(mixedE);
+    c.realGamma = s.surfaceEnergy.value_or(std::sqrt(a.surfaceEnergy*b.surfaceEnergy));
+    if (!(isFinite(c.realE) && c.realE > 0))
+    {
+        throw inputError
+        (
+            pair + "/effectiveYoungsModulus", text(c.realE), "a positive number [Pa]"
+        );
+    }
+    if (!(isFinite(c.realGamma) && c.realGamma >= 0))
+    {
+        throw inputError
+        (
+            pair + "/surfaceEnergy", text(c.realGamma), "zero or positive [J/m2]"
+        );
+    }
+    c.chi = softening.ratio;
+    c.E = c.chi*c.realE;
+    c.G = c.chi*mixedG*c.realE/mixedE;
+    c.gammaFactor = softening.surfaceEnergyFactor();
+    c.gamma = c.gammaFactor*c.realGamma;
+    c.softened = true;
+    c.scaleResistance = softening.scaleResistance;
+    return c;
+}
+
 }
 
 
@@ -73,10 +127,7 @@ MaterialTable::MaterialTable
     for (const Material& m : materials_) check(m);
 
     const double chi = softening_.ratio;
-    if (!(isFinite(chi) && chi > 0 && chi <= 1))
-    {
-        throw inputError("reducedStiffness/ratio", text(chi), "above 0, at most 1");
-    }
+    checkRatio(chi);
 
     const std::size_t n = materials_.size();
     constants_.resize(n*n);
@@ -105,45 +156,7 @@ MaterialTable::MaterialTable
                 }
             }
 
-            const auto compliance = [](const Material& m)
-            {
-                return (1 - m.poissonRatio*m.poissonRatio)/m.youngsModulus;
-            };
-            const auto shearCompliance = [](const Material& m)
-            {
-                return
-                    (2 - m.poissonRatio)*2*(1 + m.poissonRatio)/m.youngsModulus;
-            };
-            const double mixedE = 1/(compliance(a) + compliance(b));
-            const double mixedG = 1/(shearCompliance(a) + shearCompliance(b));
-
-            PairConstants c;
-            c.realE = s.effectiveYoungsModulus.value_or(mixedE);
-            c.realGamma =
-                s.surfaceEnergy.value_or(std::sqrt(a.surfaceEnergy*b.surfaceEnergy));
-            if (!(isFinite(c.realE) && c.realE > 0))
-            {
-                throw inputError
-                (
-                    "contact/" + ab + "/effectiveYoungsModulus",
-                    text(c.realE), "a positive number [Pa]"
-                );
-            }
-            if (!(isFinite(c.realGamma) && c.realGamma >= 0))
-            {
-                throw inputError
-                (
-                    "contact/" + ab + "/surfaceEnergy",
-                    text(c.realGamma), "zero or positive [J/m2]"
-                );
-            }
-            c.chi = chi;
-            c.E = chi*c.realE;
-            c.G = chi*mixedG*c.realE/mixedE;
-            c.gammaFactor = softening_.surfaceEnergyFactor();
-            c.gamma = c.gammaFactor*c.realGamma;
-            c.softened = true;
-            c.scaleResistance = softening_.scaleResistance;
+            const PairConstants c = softened(a, b, s, softening_);
 
             try
             {
@@ -208,6 +221,30 @@ MaterialTable::MaterialTable
     }
 
     laws_.assign(laws.begin(), laws.end());
+}
+
+
+void MaterialTable::setRatio(double chi)
+{
+    checkRatio(chi);
+    softening_.ratio = chi;
+    const std::size_t n = materials_.size();
+    for (std::size_t i = 0; i < n; ++i)
+    {
+        for (std::size_t j = i; j < n; ++j)
+        {
+            if (chi != 1 && !laws_[std::size_t(lawIndex(int(i), int(j)))]->elastic())
+            {
+                throw inputError
+                (
+                    "reducedStiffness/ratio", text(chi) + ", but the contact law of "
+                  + pairName(int(i), int(j)) + " is not softened", "1"
+                );
+            }
+            constants_[i*n + j] = constants_[j*n + i] =
+                softened(materials_[i], materials_[j], settings(int(i), int(j)), softening_);
+        }
+    }
 }
 
 

@@ -84,6 +84,10 @@ public:
         ReducedStiffness softening
     );
 
+    //- Another chi for all pairs; what else was asked for of the softening stays.
+    //  Errors: inputError on what the constructor refuses, too
+    void setRatio(double chi);
+
     const std::vector<Material>& materials() const { return materials_; }
     int index(const std::string& name) const;   // Errors: inputError with the known names
     const ReducedStiffness& softening() const { return softening_; }

@@ -7,6 +7,7 @@
 // keep e_eff(v), the sticking speed and v(t chi^(2/5)) exactly; contact times and overlaps
 // grow as chi^(-2/5), forces shrink as chi^(2/5). Rolling, sliding and twisting keep the
 // strength of the unsoftened particle (F_C, xi_crit and contact radius at chi = 1).
+// How soft: advice/adviseRatio.hpp.
 #pragma once
 
 namespace dem
@@ -27,19 +28,5 @@ struct ReducedStiffness
     //- chi^(2/5) or 1, by which the surface energy of the normal law is multiplied
     double surfaceEnergyFactor() const;
 };
-
-//- Softest chi [-] for which the pull-off force of two spheres (or sphere and wall) stays
-//  margin times above the Stokes drag at a slip velocity [m/s]: the diameter cancels,
-//      F_C,mod/F_drag = W_mod/(8 mu_g U)  (twice that for a wall)
-//  hence chi >= (8 mu_g U margin/W)^(5/2), W = 2 gamma. At most 1; 1 also where even the
-//  real particle has not that margin.
-double softestRatioForMargin
-(
-    double surfaceEnergy,   // gamma of the pair [J/m2]
-    double gasViscosity,    // mu_g [Pa s]
-    double slipVelocity,    // U [m/s]
-    double margin,          // pull-off force over drag [-]
-    bool wall
-);
 
 }

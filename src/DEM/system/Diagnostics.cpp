@@ -130,29 +130,47 @@ ContactView Diagnostics::view(std::size_t i, const ContactRecord& c, const Parti
 }
 
 
-std::vector<ContactView> Diagnostics::contacts() const
+void Diagnostics::eachContact
+(
+    const std::function<void(std::size_t i, std::size_t k, const Particle* j)>& f
+) const
 {
     const Partners remote = remotePartners();
-    std::vector<ContactView> result;
     for (std::size_t i = 0; i < store_.size(); ++i)
     {
-        for (const ContactRecord& c : store_.contacts[i])
+        for (std::size_t k = 0; k < store_.contacts[i].size(); ++k)
         {
+            const ContactRecord& c = store_.contacts[i][k];
             if (c.wall >= 0)
             {
-                result.push_back(view(i, c, nullptr));
+                f(i, k, nullptr);
                 continue;
             }
             const auto local = store_.indexOf.find(c.idJ);
             const auto there = remote.find(c.idJ);
             // else its partner has left the system
-            if (local != store_.indexOf.end())
-            {
-                result.push_back(view(i, c, &store_.particles[local->second]));
-            }
-            else if (there != remote.end()) result.push_back(view(i, c, &there->second));
+            if (local != store_.indexOf.end()) f(i, k, &store_.particles[local->second]);
+            else if (there != remote.end()) f(i, k, &there->second);
         }
     }
+}
+
+
+double Diagnostics::overlap(std::size_t i, const ContactRecord& c, const Particle* j) const
+{
+    if (!j) return wallOverlap(i, c);
+    const Particle& p = store_.particles[i];
+    return p.radius + j->radius - periodic_.nearest(j->x - p.x).norm();
+}
+
+
+std::vector<ContactView> Diagnostics::contacts() const
+{
+    std::vector<ContactView> result;
+    eachContact([&](std::size_t i, std::size_t k, const Particle* j)
+    {
+        result.push_back(view(i, store_.contacts[i][k], j));
+    });
     return result;
 }
 

@@ -11,6 +11,7 @@
 #include "system/ParticleStore.hpp"
 #include "walls/WallSearch.hpp"
 
+#include <functional>
 #include <unordered_map>
 #include <vector>
 
@@ -40,6 +41,16 @@ public:
         std::vector<ContactView> contacts() const;
         std::vector<double> adhesionMargins() const;
         std::vector<ClusterLabel> clusters() const;
+
+    //- f(i, k, j) for contact k of particle i of this rank, in order; j: its partner, also one of
+    //  another rank, nullptr = wall. Not for those whose partner has left the system. Collective.
+    void eachContact
+    (
+        const std::function<void(std::size_t i, std::size_t k, const Particle* j)>& f
+    ) const;
+
+    //- Overlap [m] of a contact of particle i; j as above
+    double overlap(std::size_t i, const ContactRecord& c, const Particle* j) const;
 
 
 private:

@@ -4,7 +4,7 @@
 // timeIntegration { energyLedger on; } only.
 //
 //     residual = kinetic + normal + springs + released + dashpots + yield + plastic + rest
-//              - gas - springGain
+//              - gas - springGain - stiffening
 //
 // What does not close is the error of the contact steps: kinetic energy comes from the
 // motion, stored energies from the closed forms of the laws, dissipated ones from powers by
@@ -32,12 +32,13 @@ struct EnergyLedger
     double rest = 0;        // kinetic energy removed by rest
     double gas = 0;         // work done by gas and body forces
     double springGain = 0;  // given by the springs of the laws themselves
+    double stiffening = 0;  // change of stored energy as chi was changed (system/Stiffening.hpp)
 
     double residual() const
     {
         return
             kinetic + normal + springs + released + dashpots + yield + plastic + rest
-          - gas - springGain;
+          - gas - springGain - stiffening;
     }
 
     void add(const EnergyLedger& o)
@@ -52,6 +53,7 @@ struct EnergyLedger
         rest += o.rest;
         gas += o.gas;
         springGain += o.springGain;
+        stiffening += o.stiffening;
     }
 };
 

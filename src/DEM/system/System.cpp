@@ -6,6 +6,7 @@
 #include "system/Diagnostics.hpp"
 #include "system/ParticleStep.hpp"
 #include "system/ParticleStore.hpp"
+#include "system/Stiffening.hpp"
 #include "walls/WallSearch.hpp"
 
 #include <algorithm>
@@ -128,6 +129,15 @@ System::~System() = default;
 
 
 const MaterialTable& System::materials() const { return impl_->materials; }
+Restiffened System::setRatio(double chi)
+{
+    return Stiffening
+    (
+        impl_->store, impl_->materials, impl_->walls, impl_->periodic, impl_->communicator
+    ).to(chi);
+}
+
+
 const TimeSettings& System::timeSettings() const { return impl_->time; }
 
 

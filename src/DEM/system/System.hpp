@@ -28,6 +28,7 @@
 #include "particles/Particle.hpp"
 #include "reducedStiffness/ReducedStiffness.hpp"
 #include "timeIntegration/TimeSettings.hpp"
+#include "system/Restiffened.hpp"
 #include "system/StepReport.hpp"
 #include "walls/Walls.hpp"
 
@@ -56,6 +57,10 @@ public:
     System& operator=(const System&) = delete;
 
     const MaterialTable& materials() const;
+
+    //- Another chi from here on, with all contacts that there are: see Stiffening.hpp. The same
+    //  on every rank. Collective. Errors: inputError
+    Restiffened setRatio(double chi);
     const TimeSettings& timeSettings() const;
 
 

@@ -451,22 +451,3 @@ TEST(reducedStiffness, contactStepScalesToo)
     const double soft = law.table().figures(0, 1, 1e-6, -1, mass, 0, 1.0).period;
     EXPECT_TRUE(close(soft/real, std::pow(0.01, -0.4), 1e-12));
 }
-
-
-TEST(reducedStiffness, softestRatioForMargin)
-{
-    // physics.md section 3: gamma = 0.02 J/m2, slip 1 m/s: about 280 for equal spheres
-    const double mu = 1.8e-5;
-    const double realMargin = 2*0.02/(8*mu*1.0);
-    EXPECT_NEAR(realMargin, 280, 5);
-    for (const double margin : {1.0, 10.0, 100.0})
-    {
-        const double chi = dem::softestRatioForMargin(0.02, mu, 1, margin, false);
-        // at that chi the margin is what was asked for
-        EXPECT_TRUE(close(realMargin*std::pow(chi, 0.4), margin, 1e-13));
-        const double wall = dem::softestRatioForMargin(0.02, mu, 1, margin, true);
-        EXPECT_TRUE(close(2*realMargin*std::pow(wall, 0.4), margin, 1e-13));
-    }
-    EXPECT_EQ(dem::softestRatioForMargin(0.02, mu, 1, 1e4, false), 1);
-    EXPECT_NEAR(realMargin*std::pow(1e-3, 0.4), 17.5, 0.1);
-}

@@ -683,6 +683,7 @@ public:
     }
 
     bool elastic() const override { return Normal::elastic; }
+    TaborRange taborRange() const override { return Normal::tabor; }
 
     double effectiveRadius(double inverse1, double inverse2) const override
     {
@@ -735,16 +736,9 @@ public:
         }
     }
 
-    void turnHistory(const Eigen::Matrix3d& R, double* history) const override
+    SpringColumns springColumns() const override
     {
-        const auto turn = [&](int column)
-        {
-            Eigen::Map<Vec3> xi(history + column);
-            xi = R*Vec3(xi);
-        };
-        if constexpr (Tangential::on) turn(hT);
-        if constexpr (Rolling::on) turn(hR);
-        (void)turn;
+        return {Tangential::on ? hT : -1, Rolling::on ? hR : -1, Twisting::on ? hW : -1};
     }
 
     NormalResponse<double> normalResponse

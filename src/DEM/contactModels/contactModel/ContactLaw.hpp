@@ -30,6 +30,13 @@ struct RollingYield
     double energy;      // stored there [J]
 };
 
+//- Where the history holds the displacements of springs, those of sliding and rolling as vectors;
+//  -1: there is no such spring
+struct SpringColumns
+{
+    int sliding, rolling, twisting;
+};
+
 class ContactLaw
 {
 public:
@@ -46,6 +53,9 @@ public:
     //- Whether stiffness and strength come from the pair's E and gamma: then chi softens it,
     //  and at gamma = 0 it is Hertz
     virtual bool elastic() const = 0;
+
+    //- For which Tabor numbers of the real pair it holds
+    virtual TaborRange taborRange() const = 0;
 
     //- Read the numbers of one pair of materials; returns its index in this law.
     //  Errors: inputError
@@ -71,8 +81,31 @@ public:
     //  without rolling resistance
     virtual RollingYield rollingYield(const double* constants, double R) const = 0;
 
+    virtual SpringColumns springColumns() const = 0;
+
     //- Turn what the history holds in space by R, as the pair turns
-    virtual void turnHistory(const Eigen::Matrix3d& R, double* history) const = 0;
+    void turnHistory(const Eigen::Matrix3d& R, double* history) const
+    {
+        const SpringColumns at = springColumns();
+        for (const int column : {at.sliding, at.rolling})
+        {
+            if (column < 0) continue;
+            Eigen::Map<Vec3> xi(history + column);
+            xi = R*Vec3(xi);
+        }
+    }
+
+    //- Multiply the displacements of the sliding, rolling and twisting springs
+    void scaleSprings(const double (&factors)[3], double* history) const
+    {
+        const SpringColumns at = springColumns();
+        for (int d = 0; d < 3; ++d)
+        {
+            if (at.sliding >= 0) history[at.sliding + d] *= factors[0];
+            if (at.rolling >= 0) history[at.rolling + d] *= factors[1];
+        }
+        if (at.twisting >= 0) history[at.twisting] *= factors[2];
+    }
 
     //- The normal part alone; `history` holds the contact's history values and is moved on
     virtual NormalResponse<double> normalResponse

@@ -20,6 +20,12 @@ struct NormalResponse
     Real radiusKept = Real(1);      // radius at the last evaluation over radius [-]
 };
 
+//- Tabor numbers for which a normal law holds [-]
+struct TaborRange
+{
+    double least, most;
+};
+
 //- What the part that limits twisting tells it
 template<class Real>
 struct TwistingBase

@@ -25,6 +25,7 @@ struct DMT
     static constexpr const char* model = "DMT";
     static constexpr bool elastic = true;
     static constexpr bool atDistance = false;
+    static constexpr TaborRange tabor = {0, 0.1};
     static constexpr double slidingShare = 1;      // of F_C, in the sliding limit
     static constexpr int nConstants = Hertz::nConstants + 3;
     static constexpr int nHistory = 0;

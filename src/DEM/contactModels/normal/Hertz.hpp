@@ -33,6 +33,7 @@ struct Hertz
     static constexpr const char* model = "Hertz";
     static constexpr bool elastic = true;
     static constexpr bool atDistance = false;
+    static constexpr TaborRange tabor = {0, 1e300};
     static constexpr double slidingShare = 0;      // of F_C, in the sliding limit
     static constexpr int nConstants = 3;
     static constexpr int nHistory = 0;

@@ -36,6 +36,7 @@ struct JKR
     static constexpr const char* model = "JKR";
     static constexpr bool elastic = true;
     static constexpr bool atDistance = false;
+    static constexpr TaborRange tabor = {3, 1e300};
     static constexpr double slidingShare = 2;      // of F_C, in the sliding limit
     static constexpr int nConstants = 5;
     static constexpr int nHistory = 0;

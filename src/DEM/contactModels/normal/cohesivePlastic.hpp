@@ -55,6 +55,7 @@ struct cohesivePlastic
     static constexpr const char* model = "cohesivePlastic";
     static constexpr bool elastic = false;
     static constexpr bool atDistance = false;
+    static constexpr TaborRange tabor = {0, 1e300};
     static constexpr double slidingShare = 1;      // of F_C, in the sliding limit
     static constexpr int nConstants = 7;
     static constexpr int nHistory = 1;

@@ -25,6 +25,7 @@ struct simplifiedJKR
     static constexpr const char* model = "simplifiedJKR";
     static constexpr bool elastic = true;
     static constexpr bool atDistance = false;
+    static constexpr TaborRange tabor = JKR::tabor;
     static constexpr double slidingShare = JKR::slidingShare;
     static constexpr int nConstants = 5;
     static constexpr int nHistory = 0;

@@ -37,6 +37,7 @@ struct vanDerWaals
     static constexpr const char* model = "vanDerWaals";
     static constexpr bool elastic = true;
     static constexpr bool atDistance = true;
+    static constexpr TaborRange tabor = DMT::tabor;
     static constexpr double slidingShare = DMT::slidingShare;
     static constexpr int nConstants = DMT::nConstants + 2;
     static constexpr int nHistory = 0;

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The softest chi (src/DEM/advice): each limit by its closed form, and what it says where no chi
+// keeps them.
+#include "scene.hpp"
+
+using dem::RatioAdvice;
+using dem::RatioLimits;
+using dem::RatioLoad;
+using dem::RatioPartner;
+using scene::close;
+using scene::Law;
+
+namespace
+{
+
+constexpr double r = 1e-6, mu = 1.8e-5;
+
+//- Limits that do not bind
+RatioLimits none()
+{
+    RatioLimits l;
+    l.pullOffOverForce = 1e-9;
+    l.overlap = 1e9;
+    l.ratio = 1e-12;
+    l.loadFactor = 1;
+    l.contactTime = 1e9;
+    return l;
+}
+
+RatioLoad load(const Law& law, double radius, double speed)
+{
+    const double Sp = 6*formula::pi*mu*radius, m = law.mass(radius);
+    return {radius, m, Sp*speed, speed, m/Sp};
+}
+
+const RatioPartner dust{0, false, {}, "dust.dust"};
+const RatioPartner wall{1, true, {}, "dust.wall"};
+
+double chi(const Law& law, const RatioPartner& p, const RatioLoad& l, const RatioLimits& limits)
+{
+    return dem::adviseRatio(law.table(), 0, {p}, {l}, limits).chi;
+}
+
+}
+
+
+TEST(adviseRatio, theMarginBindsAsInTheClosedForm)
+{
+    // W/(8 mu U), equal spheres, any diameter; twice that on a wall
+    Law law;
+    law.gamma = 0.02;
+    const double margin = 2*0.02/(8*mu*1.0);
+    EXPECT_TRUE(scene::near(margin, 280, 5));
+    for (const double radius : {1e-7, 1e-6, 1e-5})
+    {
+        for (const double limit : {1.0, 10.0, 25.0})
+        {
+            RatioLimits l = none();
+            l.pullOffOverForce = limit;
+            const RatioLoad one = load(law, radius, 1);
+            EXPECT_TRUE(close(chi(law, dust, one, l), std::pow(limit/margin, 2.5), 1e-12));
+            EXPECT_TRUE(close(chi(law, wall, one, l), std::pow(limit/margin/2, 2.5), 1e-12));
+            l.loadFactor = 10;
+            EXPECT_TRUE(close(chi(law, dust, one, l), std::pow(10*limit/margin, 2.5), 1e-12));
+        }
+    }
+}
+
+
+TEST(adviseRatio, atTheChiThatItGivesTheMarginIsWhatWasAskedFor)
+{
+    for (const char* model : {"JKR", "simplifiedJKR", "DMT"})
+    {
+        Law law;
+        law.normal = model;
+        RatioLimits l = none();
+        l.pullOffOverForce = 30;
+        l.loadFactor = 3;
+        const RatioLoad one = load(law, r, 2);
+        dem::MaterialTable table = law.table();
+        const RatioAdvice a = dem::adviseRatio(table, 0, {dust, wall}, {one}, l);
+        const std::string limit = std::string(model) == "DMT" ? "tabor" : "pullOffOverForce";
+        EXPECT_EQ(a.binding().limit, limit) << model;
+        if (limit == "tabor") continue;
+        EXPECT_EQ(a.binding().pair, "dust.dust");
+        table.setRatio(a.chi);
+        const double m = law.mass(r);
+        const dem::ContactFigures f = table.figures(0, 0, r, r, m, m, 1);
+        EXPECT_TRUE(close(f.pullOff/one.force, 90, 1e-12)) << model;
+    }
+}
+
+
+TEST(adviseRatio, overlapOfHertzInClosedForm)
+{
+    // delta = (15 m v^2/(16 E R^(1/2)))^(2/5) on a wall
+    Law law;
+    law.normal = "Hertz";
+    law.gamma = 0;
+    const double v = 3, m = law.mass(r), o = 0.02;
+    RatioLimits l = none();
+    l.overlap = o;
+    const double delta = std::pow(15*m*v*v/(16*law.E*std::sqrt(r)), 0.4);
+    EXPECT_TRUE(close(chi(law, wall, load(law, r, v), l), std::pow(delta/(o*2*r), 2.5), 1e-5));
+}
+
+
+TEST(adviseRatio, anUndampedImpactIsAsDeepAsTheLimit)
+{
+    for (const double v : {0.2, 3.0})
+    {
+        Law law;
+        law.restitution = 1;
+        const double limit = 0.06;
+        RatioLimits l = none();
+        l.overlap = limit;
+        law.softening.ratio = chi(law, wall, load(law, r, v), l);
+        ASSERT_LT(law.softening.ratio, 1);
+        dem::TimeSettings time;
+        time.stepsPerContact = 400;
+        dem::System system(law.table(), time);
+        system.setWalls(scene::floor());
+        system.add(scene::sphere(law, 1, r, dem::Vec3(0, 0, 1.001*r), dem::Vec3(0, 0, -v)));
+        dem::StepReport report;
+        for (int k = 0; k < 40; ++k) report.add(system.advance(0.05*r/v));
+        EXPECT_TRUE(close(report.maxOverlapOverDiameter, limit, 1e-3)) << v;
+    }
+}
+
+
+TEST(adviseRatio, atRestTheEquilibriumOverlapCounts)
+{
+    Law law;
+    RatioLimits l = none();
+    l.overlap = 0.5;
+    RatioLoad still = load(law, r, 0);
+    still.relaxationTime = 0;
+    const double delta0 = law.contact(r, -1, true).delta0();
+    // the fall into contact goes deeper than that
+    EXPECT_GT(chi(law, wall, still, l), std::pow(delta0/(2*r)/0.5, 2.5)*(1 - 1e-12));
+}
+
+
+TEST(adviseRatio, contactTimeOverRelaxationTime)
+{
+    Law law;
+    RatioLimits l = none();
+    l.contactTime = 0.1;
+    const RatioLoad one = load(law, 2e-7, 1);
+    const double m = law.mass(2e-7);
+    const double t = law.table().figures(0, 0, 2e-7, 2e-7, m, m, 1).impactTime;
+    EXPECT_TRUE
+    (
+        close(chi(law, dust, one, l), std::pow(t/(0.1*one.relaxationTime), 2.5), 1e-12)
+    );
+}
+
+
+TEST(adviseRatio, theTaborNumberOfTheLaw)
+{
+    Law law;
+    law.E = 1e11;
+    law.gamma = 0.001;
+    law.normal = "DMT";
+    const double m = law.mass(1e-8);
+    const double tabor = law.table().figures(0, 0, 1e-8, 1e-8, m, m, 1).tabor;
+    ASSERT_LT(tabor, 0.1);
+    const RatioLoad small = load(law, 1e-8, 1e-3);
+    // softened, the particle leaves the range of the law at lambda chi^(-2/5) = 0.1
+    EXPECT_TRUE(close(chi(law, dust, small, none()), std::pow(tabor/0.1, 2.5), 1e-12));
+
+    // a hard particle is none of JKR's, however soft it is made
+    law.normal = "JKR";
+    const RatioAdvice a = dem::adviseRatio(law.table(), 0, {dust}, {small}, none());
+    EXPECT_FALSE(a.reached());
+    EXPECT_EQ(a.binding().limit, "tabor");
+    EXPECT_NE(a.text().find("no chi keeps this limit"), std::string::npos);
+}
+
+
+TEST(adviseRatio, whereNoChiReachesTheLimitItSaysWhatIsReached)
+{
+    Law law;
+    law.gamma = 0.02;
+    RatioLimits l = none();
+    l.pullOffOverForce = 1000;
+    const RatioAdvice a = dem::adviseRatio(law.table(), 0, {dust}, {load(law, r, 1)}, l);
+    EXPECT_EQ(a.chi, 1);
+    EXPECT_FALSE(a.reached());
+    EXPECT_NE(a.text().find("it is 278 where 1e+03 is wanted"), std::string::npos) << a.text();
+}
+
+
+TEST(adviseRatio, scaledOrNotTheTableOfAnotherChiIsThatMadeWithIt)
+{
+    for (const bool scaled : {true, false})
+    {
+        Law law;
+        law.friction = 0.3;
+        law.softening.scaleSurfaceEnergy = scaled;
+        dem::MaterialTable table = law.table();
+        for (const double ratio : {0.013, 1.0, 0.37})
+        {
+            table.setRatio(ratio);
+            law.softening.ratio = ratio;
+            const dem::PairConstants &a = table.constants(0, 1), b = law.table().constants(0, 1);
+            EXPECT_EQ(a.E, b.E);
+            EXPECT_EQ(a.G, b.G);
+            EXPECT_EQ(a.gamma, b.gamma);
+            EXPECT_EQ(table.softening().ratio, ratio);
+        }
+        EXPECT_THROW(table.setRatio(0), dem::inputError);
+        EXPECT_THROW(table.setRatio(1.1), dem::inputError);
+    }
+}
+
+
+TEST(adviseRatio, unscaledSurfaceEnergyKeepsThePullOffForce)
+{
+    Law law;
+    law.softening.scaleSurfaceEnergy = false;
+    RatioLimits l = none();
+    l.pullOffOverForce = 10;
+    const RatioAdvice a = dem::adviseRatio(law.table(), 0, {dust}, {load(law, r, 1)}, l);
+    EXPECT_EQ(a.find("pullOffOverForce")->chi, 0);
+    EXPECT_TRUE(a.reached());
+}
+
+
+TEST(adviseRatio, materialsThatTouchNothingDoNotCount)
+{
+    const Law law;
+    dem::Walls walls;
+    EXPECT_EQ(dem::ratioPartners(law.table(), 0, walls).size(), 1u);
+    EXPECT_EQ(dem::ratioPartners(law.table(), 0, scene::floor()).size(), 2u);
+}
+
+
+TEST(adviseRatio, aLawThatIsNotSoftenedTakesOne)
+{
+    Law law;
+    law.adjust = [](dem::ContactSettings& s)
+    {
+        s.normal = {"cohesivePlastic", {{"yieldStrength", 1e8}, {"restitution", 0.5},
+            {"attraction", 1e-9}, {"attractionBuildUp", 0}}};
+    };
+    try
+    {
+        const RatioAdvice a = dem::adviseRatio(law.table(), 0, {dust}, {load(law, r, 1)}, none());
+        EXPECT_EQ(a.chi, 1);
+        EXPECT_TRUE(a.reached());
+    }
+    catch (const dem::inputError& e)
+    {
+        FAIL() << e.what();
+    }
+}
