@@ -55,6 +55,9 @@ Usage
     the gas's equation loses less than momentumTolerance (in PIMPLE, 1e-6) of
     the gas's momentum in a step.
 
+    dustFoam -dry-run prints contacts, chi, the scene plan and a forecast of
+    steps, memory and run time, and ends without a step.
+
     dustFoam -models prints the forces, dispersion and injection models,
     dustFoam -keywords [WORD] the keywords of constant/dustProperties, with
     units, defaults and what is allowed.
@@ -95,12 +98,7 @@ int main(int argc, char *argv[])
         " lagrangian/dust, depositedMass (kg/m2), postProcessing/contacts."
     );
 
-    argList::addBoolOption
-    (
-        "models",
-        "Print which forces, dispersion and injection models there are, with"
-        " remarks and defaults; needs no case"
-    );
+    #include "options.H"
     if (modelTable::asked(argc, argv) || dustKeywords::asked(argc, argv))
     {
         return 0;
@@ -115,6 +113,8 @@ int main(int argc, char *argv[])
     #include "createMesh.H"
     #include "createFields.H"
     #include "checkCase.H"
+
+    #include "dryRun.H"
 
     if (dust.gasFrozen())
     {

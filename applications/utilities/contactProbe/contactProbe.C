@@ -260,103 +260,59 @@ void printSteps(const contactPair& p, const scalarList& velocities)
 }
 
 
-//- Softest chi that the limits allow
-scalar advisedRatio
+//- The softest chi that the limits allow for this pair, by the rule of dustFoam
+//  (adviseRatio.hpp), with Stokes drag at slipVelocity and the fastest impact
+dem::RatioAdvice advice
 (
     const contactPair& real,
     const probeSettings& settings,
-    const dustProperties::limitSettings& limits,
-    const bool print
+    const dustProperties::limitSettings& limits
 )
 {
-    const dem::ContactFigures f = real.figures(0);
-    struct limit { const char* name; scalar chi; };
-    std::vector<limit> all;
-
-    if (settings.slipVelocity() > 0 && f.realPullOff > 0)
+    const scalar mu = settings.gasViscosity(), d = 2*real.radius();
+    const scalar Sp = 3*constant::mathematical::pi*mu*d;
+    const dem::RatioLoad load
     {
-        // the law's own pull-off force, put as that of JKR
-        const scalar gamma =
-            f.realPullOff
-           /(
-                3*constant::mathematical::pi
-               *(real.pair().wall ? real.radius() : f.R)
-            );
-        all.push_back
-        ({
-            "pullOffOverForce",
-            dem::softestRatioForMargin
-            (
-                gamma, settings.gasViscosity(), settings.slipVelocity(),
-                limits.pullOffOverForce, real.pair().wall
-            )
-        });
-
-        const scalar margin =
-            2*gamma/(8*settings.gasViscosity()*settings.slipVelocity())
-           *(real.pair().wall ? 2 : 1);
-        if (print)
-        {
-            Info<< "    Pull-off force over drag at " << settings.slipVelocity()
-                << " m/s and " << settings.gasViscosity() << " Pa s: " << margin
-                << " unsoftened, at any diameter; the limit is "
-                << limits.pullOffOverForce << nl;
-            if (margin < limits.pullOffOverForce)
-            {
-                Info<< "    WARNING: even the unsoftened contact has not that "
-                    << "margin: the drag tells on what sticks" << nl;
-            }
-        }
-    }
-
-    // beyond all limits where it cannot be computed
-    const contactPair::collision impact = real.collide(fastest(settings));
-    const scalar overlap =
-        impact.outcome == contactPair::REFUSED
-      ? 1
-      : impact.maxOverlap/(2*real.smallerRadius());
-    all.push_back
-    ({
-        "overlap",
-        std::min(scalar(1), std::pow(overlap/limits.overlap, 2.5))
-    });
-    if (print && impact.outcome == contactPair::REFUSED)
+        real.radius(), real.mass(), Sp*settings.slipVelocity(), fastest(settings),
+        Sp > 0 ? real.mass()/Sp : 0
+    };
+    const dem::RatioPartner partner
     {
-        Info<< "    WARNING: even unsoftened the impact at " << fastest(settings)
-            << " m/s cannot be computed" << nl;
-    }
-    else if (print && overlap > limits.overlap)
-    {
-        Info<< "    WARNING: even unsoftened the overlap at "
-            << fastest(settings) << " m/s is " << overlap
-            << " of the diameter, above the limit " << limits.overlap << nl;
-    }
-
-    all.push_back({"ratio", std::min(scalar(1), limits.ratio)});
-
-    const auto binding = std::max_element
+        real.pair().j, real.pair().wall, real.pair().curvature,
+        std::string(real.pair().name), real.partnerRadius(),
+        real.partnerMass()
+    };
+    return dem::adviseRatio
     (
-        all.begin(), all.end(),
-        [](const limit& a, const limit& b) { return a.chi < b.chi; }
+        real.table(), real.pair().i, {partner}, {load}, limits
     );
+}
 
-    if (print)
+
+void printAdvice
+(
+    const contactPair& real,
+    const probeSettings& settings,
+    const dustProperties::limitSettings& limits
+)
+{
+    const dem::RatioAdvice found = advice(real, settings, limits);
+    if (const dem::RatioNeed* margin = found.find("pullOffOverForce"))
     {
-        Info<< "    Softest chi by limit:";
-        for (const limit& l : all)
-        {
-            Info<< ' ' << l.name << ' ' << l.chi << (&l == &all.back() ? "" : ",");
-        }
-        Info<< nl << "    Suggested chi: " << binding->chi << " (" << binding->name
-            << " binds)";
-        if (!(settings.slipVelocity() > 0))
-        {
-            Info<< "; without slipVelocity and gasViscosity the limit"
-                << " pullOffOverForce is not looked at";
-        }
-        Info<< nl;
+        Info<< "    Pull-off force over Stokes drag at "
+            << settings.slipVelocity() << " m/s and "
+            << settings.gasViscosity() << " Pa s: " << margin->real
+            << " unsoftened; the limit is " << margin->bound << nl;
     }
-    return binding->chi;
+    Info<< "    Softest chi by limit:" << nl << found.text().c_str()
+        << "    Suggested chi: " << found.chi << " (" << found.binding().limit
+        << " binds)";
+    if (!(settings.slipVelocity() > 0))
+    {
+        Info<< "; without slipVelocity and gasViscosity the limit"
+            << " pullOffOverForce is not looked at";
+    }
+    Info<< nl;
 }
 
 
@@ -523,7 +479,7 @@ void printTable
     printSteps(soft.front(), settings.velocities());
     if (softens(real))
     {
-        advisedRatio(real, settings, limits, true);
+        printAdvice(real, settings, limits);
     }
 }
 
@@ -643,12 +599,7 @@ int main(int argc, char *argv[])
             advised = std::max
             (
                 advised,
-                softens(all.back().real.front())
-              ? advisedRatio
-                (
-                    all.back().real.front(), settings, dust.limits(), false
-                )
-              : 1
+                advice(all.back().real.front(), settings, dust.limits()).chi
             );
         }
 

@@ -173,7 +173,7 @@ void Foam::caseCheck::sizes() const
 }
 
 
-void Foam::caseCheck::plan
+Foam::scalar Foam::caseCheck::plan
 (
     const label nParticles,
     const scalar meanDiameter,
@@ -237,7 +237,7 @@ void Foam::caseCheck::plan
             << " end. A longer deltaT, an earlier endTime or fewer particles"
             << " shorten it" << nl;
     }
-    Info<< endl;
+    return nExpected;
 }
 
 

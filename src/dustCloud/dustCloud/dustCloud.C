@@ -24,6 +24,8 @@ License
 #include "caseCheck.H"
 #include "modelTable.H"
 #include "patchWalls.H"
+#include "runForecast.H"
+#include "slipLoads.H"
 #include "untrapped.H"
 
 #include "distributionModel.H"
@@ -46,6 +48,52 @@ namespace Foam
 {
     defineTypeNameAndDebug(dustCloud, 0);
 }
+
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- Set chi to what the contacts of a restart have, else to what it is to be;
+//  returns the latter
+static scalar chooseRatio
+(
+    const dustCloud& cloud,
+    dustProperties& properties,
+    dem::RatioAdvice& advice,
+    scalar& slip,
+    FixedList<scalar, 3>& diameters,
+    const scalar density,
+    const dem::Walls& walls,
+    const dictionary& ledger
+)
+{
+    const dem::MaterialTable table = properties.table();
+    const int dust = table.index(properties.dustMaterial());
+    slipLoads::addParticles(cloud, diameters);
+    const slipLoads loads(cloud, diameters, density);
+    slip = loads.slip();
+    advice = dem::adviseRatio
+    (
+        table,
+        dust,
+        dem::ratioPartners(table, dust, walls),
+        loads.loads(),
+        properties.limits()
+    );
+
+    const scalar stored = stiffening::stored(ledger);
+    const scalar wanted =
+        stored > 0 && stiffening::asBefore(ledger, properties) ? stored
+      : !properties.automaticRatio() ? properties.softening().ratio
+      : diameters[2] > 0 ? advice.chi
+      : 1;
+    properties.setRatio(stored > 0 ? stored : wanted);
+    return wanted;
+}
+
+} // End namespace Foam
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -448,75 +496,12 @@ Foam::dustCloud::dustCloud
         patchWalls::New(mesh_, particleProperties_, d.properties.table())
     );
 
-    // Softest particles that keep to the limits
-    if (d.properties.automaticRatio())
-    {
-        const dem::MaterialTable real = d.properties.table();
-        const int dust = real.index(d.properties.dustMaterial());
-        const auto& limits = d.properties.limits();
-        const scalar diameter =
-            d.diameters[1] > 0 ? d.diameters[1] : scalar(1e-5);
-        const scalar mass =
-            real.materials()[std::size_t(dust)].density
-           *constant::mathematical::pi/6*pow3(diameter);
-
-        scalar ratio = limits.ratio;
-        for (int i = 0; i < int(real.materials().size()); ++i)
-        {
-            const bool wall = i != dust;
-
-            // The thinnest wire holds least, and is pressed deepest
-            dem::WallCurvature thinnest;
-            const auto radiusOn = [&](const dem::WallCurvature& curvature)
-            {
-                return real.wallRadius(dust, i, curvature, 0.5*diameter);
-            };
-            for (const dem::WallPatch& patch : walls.patches)
-            {
-                if
-                (
-                    wall && patch.material == i && patch.curvature
-                 && radiusOn(*patch.curvature) < radiusOn(thinnest)
-                )
-                {
-                    thinnest = *patch.curvature;
-                }
-            }
-
-            ratio = max
-            (
-                ratio,
-                dem::softestRatioForMargin
-                (
-                    real.constants(dust, i).realGamma
-                   *(radiusOn(thinnest)/(0.5*diameter)),
-                    d.gasViscosity,
-                    max(d.gasSpeed, VSMALL),
-                    limits.pullOffOverForce,
-                    wall
-                )
-            );
-
-            // Overlaps grow as chi^(-2/5)
-            const dem::ContactFigures f = real.figures
-            (
-                dust,
-                i,
-                0.5*diameter,
-                wall ? -1 : 0.5*diameter,
-                mass,
-                wall ? 0 : mass,
-                max(d.gasSpeed, VSMALL),
-                thinnest
-            );
-            ratio = max
-            (
-                ratio,
-                pow(f.impactOverlap/diameter/limits.overlap, 2.5)
-            );
-        }
-        d.properties.setRatio(min(ratio, scalar(1)));
-    }
+    const dictionary ledger(outputProperties_.subOrEmptyDict("ledger"));
+    const scalar wanted = chooseRatio
+    (
+        *this, d.properties, d.advice, d.slip, d.diameters, density_, walls,
+        ledger
+    );
 
     try
     {
@@ -561,6 +546,16 @@ Foam::dustCloud::dustCloud
     findAgain();
     addArrivals();
     closeWalls();
+    if (wanted != d.properties.softening().ratio)
+    {
+        d.properties.setRatio(wanted);
+        d.changes.change
+        (
+            *this, *d.system, wanted, "reducedStiffness/ratio is another one",
+            d.totals.energy
+        );
+    }
+    d.changes.setFirst(wanted);
     prepareInsertion();
     prepareExchange();
 
@@ -577,12 +572,16 @@ Foam::dustCloud::dustCloud
         d.system->materials(), d.material, d.diameters[1], d.gasSpeed,
         d.gasViscosity
     );
-    caseCheck(subModelProperties_.subDict("injectionModels"), mesh_).plan
-    (
-        returnReduce(this->size(), sumOp<label>()), d.diameters[1],
-        solution_.dict().lookupOrDefault<scalar>("deltaTMax", GREAT), U_,
-        !gasFrozen_
-    );
+    const label nParticles = returnReduce(this->size(), sumOp<label>());
+    const scalar due =
+        caseCheck(subModelProperties_.subDict("injectionModels"), mesh_).plan
+        (
+            nParticles, d.diameters[1],
+            solution_.dict().lookupOrDefault<scalar>("deltaTMax", GREAT), U_,
+            !gasFrozen_
+        );
+    runForecast(*this, *d.system, d.material, d.diameters[1], d.gasSpeed)
+   .print(Info(), nParticles, due);
 }
 
 
@@ -631,7 +630,8 @@ dem::EnergyLedger Foam::dustCloud::energyLedger() const
         double* part :
         {
             &e.kinetic, &e.normal, &e.springs, &e.released, &e.dashpots,
-            &e.yield, &e.plastic, &e.rest, &e.gas, &e.springGain
+            &e.yield, &e.plastic, &e.rest, &e.gas, &e.springGain,
+            &e.stiffening
         }
     )
     {

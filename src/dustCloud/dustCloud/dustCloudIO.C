@@ -100,6 +100,12 @@ void Foam::dustCloud::storeCounters()
     ledger.set("refused", refused_.count);
     ledger.set("refusedMass", refused_.mass);
     ledger.set("nextId", nextId_);
+    stiffening::store
+    (
+        ledger,
+        dem_->properties,
+        dem_->system->materials().softening().ratio
+    );
 
     wordList walls;
     for (const label patchi : dem_->wallPatches)

@@ -57,6 +57,28 @@ static scalar percentile(const std::vector<double>& sorted, const scalar share)
     return sorted[std::min(n - 1, std::size_t(share*scalar(n)))];
 }
 
+
+//- Smallest and median margin of all ranks, GREAT where nothing holds.
+//  Collective.
+static void findMargins
+(
+    const dem::System& system,
+    scalar& smallest,
+    scalar& median
+)
+{
+    std::vector<double> margins(system.adhesionMargins());
+    smallest = median = GREAT;
+    if (Pstream::master() && margins.size())
+    {
+        std::sort(margins.begin(), margins.end());
+        smallest = margins.front();
+        median = percentile(margins, 0.5);
+    }
+    Pstream::scatter(smallest);
+    Pstream::scatter(median);
+}
+
 } // End namespace Foam
 
 
@@ -69,31 +91,15 @@ void Foam::dustCloud::printMaterials() const
     const int dust = d.material;
     const scalar chi = table.softening().ratio;
 
-    // Particles that are there count, too
-    scalar smallest = d.diameters[0] > 0 ? d.diameters[0] : GREAT;
-    scalar largest = d.diameters[2];
-    scalar sum = 0;
-    for (const dustParcel& p : *this)
-    {
-        smallest = min(smallest, p.d());
-        largest = max(largest, p.d());
-        sum += p.d();
-    }
-    reduce(smallest, minOp<scalar>());
-    reduce(largest, maxOp<scalar>());
-    reduce(sum, sumOp<scalar>());
-    const label n = returnReduce(this->size(), sumOp<label>());
-    const scalar mean =
-        d.diameters[1] > 0 ? d.diameters[1] : n ? sum/n : scalar(0);
+    const scalar smallest = d.diameters[0];
+    const scalar mean = d.diameters[1];
+    const scalar largest = d.diameters[2];
 
     if (largest <= 0)
     {
         Info<< nl << "Contacts: diameters are not known yet, no table" << endl;
         return;
     }
-    d.diameters[0] = smallest;
-    d.diameters[1] = mean;
-    d.diameters[2] = largest;
 
     const scalar speed = max(d.gasSpeed, VSMALL);
 
@@ -112,162 +118,88 @@ void Foam::dustCloud::printMaterials() const
             "deltaC_m", "lambda_T", "contact_s", "step_s", "stable_s"
         ).c_str() << nl;
 
-    string advice;
-
-    for (int i = 0; i < int(table.materials().size()); ++i)
+    for
+    (
+        const dem::RatioPartner& other
+      : dem::ratioPartners(table, dust, d.system->walls())
+    )
     {
-        // Wall materials: those of the patches, each curved one for itself
-        struct partner
-        {
-            bool wall;
-            std::string name;
-            dem::WallCurvature curvature;
-        };
-        std::vector<partner> partners;
-        if (i == dust)
-        {
-            partners.push_back({false, "", {}});
-        }
-        bool flat = false;
-        for (const dem::WallPatch& patch : d.system->walls().patches)
-        {
-            if (patch.material == i && patch.curvature)
-            {
-                partners.push_back
-                (
-                    {true, "(" + patch.name + ")", *patch.curvature}
-                );
-            }
-            else if (patch.material == i && !flat)
-            {
-                flat = true;
-                partners.push_back({true, "(wall)", {}});
-            }
-        }
+        const int i = other.material;
+        const bool wall = other.wall;
 
-        for (const partner& other : partners)
+        for (const scalar diameter : {smallest, mean, largest})
         {
-            const bool wall = other.wall;
-            const word pair(table.pairName(dust, i) + other.name, false);
-            const word normal
+            const scalar mass =
+                density_*constant::mathematical::pi/6*pow3(diameter);
+            const dem::ContactFigures f = table.figures
             (
-                table.constants(dust, i).realGamma > 0
-              ? table.settings(dust, i).normal.model
-              : "Hertz"
+                dust,
+                i,
+                0.5*diameter,
+                wall ? -1 : 0.5*diameter,
+                mass,
+                wall ? 0 : mass,
+                speed,
+                other.curvature
             );
-            scalar overlap = 0;
-            scalar lowTabor = GREAT;
-            scalar highTabor = 0;
-            scalar holds = 1;   // of what a flat wall does
 
-            for (const scalar diameter : {smallest, mean, largest})
-            {
-                const scalar mass =
-                    density_*constant::mathematical::pi/6*pow3(diameter);
-                const dem::ContactFigures f = table.figures
+            Info<< formatted
                 (
-                    dust,
-                    i,
-                    0.5*diameter,
-                    wall ? -1 : 0.5*diameter,
-                    mass,
-                    wall ? 0 : mass,
-                    speed,
-                    other.curvature
-                );
+                    "  %-16s %9.3g %10.3g %10.3g %9.3g %9.3g %9.3g %9.3g "
+                    "%9.3g %9.3g %9.3g %9.3g",
+                    other.name.c_str(), diameter, f.pullOff, f.realPullOff,
+                    2*table.constants(dust, i).realGamma, f.a0, f.delta0,
+                    f.deltaC, f.tabor, f.impactTime,
+                    f.period/d.properties.time().stepsPerContact,
+                    f.stableStep
+                ).c_str() << nl;
 
-                Info<< formatted
+            // Half a radius: far beyond every law here, and what wrong
+            // units lead to
+            const scalar largestOverlap =
+                max(f.delta0, f.impactOverlap)/diameter;
+            if (largestOverlap > 0.25)
+            {
+                dustProperties::error
+                (
+                    particleProperties_.subDict("materials"),
+                    table.materials()[std::size_t(i)].name,
+                    formatted
                     (
-                        "  %-16s %9.3g %10.3g %10.3g %9.3g %9.3g %9.3g %9.3g "
-                        "%9.3g %9.3g %9.3g %9.3g",
-                        pair.c_str(), diameter, f.pullOff, f.realPullOff,
-                        2*table.constants(dust, i).realGamma, f.a0, f.delta0,
-                        f.deltaC, f.tabor, f.impactTime,
-                        f.period/d.properties.time().stepsPerContact,
-                        f.stableStep
-                    ).c_str() << nl;
-
-                // Half a radius: far beyond every law here, and what wrong
-                // units lead to
-                const scalar largestOverlap =
-                    max(f.delta0, f.impactOverlap)/diameter;
-                if (largestOverlap > 0.25)
-                {
-                    dustProperties::error
-                    (
-                        particleProperties_.subDict("materials"),
-                        table.materials()[std::size_t(i)].name,
-                        formatted
-                        (
-                            "particles of %.3g m in contact %s overlap by "
-                            "%.3g diameters (chi %.3g, effective Young's "
-                            "modulus %.3g Pa): are the moduli in Pa, the "
-                            "sizes in m?",
-                            diameter,
-                            pair.c_str(),
-                            largestOverlap,
-                            chi,
-                            table.constants(dust, i).E
-                        ),
-                        "materials and reducedStiffness/ratio with less than "
-                        "0.25 diameters"
-                    );
-                }
-                holds = wall ? min(holds, f.R/(0.5*diameter)) : holds;
-                overlap = max(overlap, f.impactOverlap/diameter);
-                lowTabor = min(lowTabor, f.tabor);
-                highTabor = max(highTabor, f.tabor);
-            }
-
-            const scalar overlapLimit = d.properties.limits().overlap;
-            if (overlap > overlapLimit)
-            {
-                // overlaps grow as chi^(-2/5)
-                const scalar wanted = chi*pow(overlap/overlapLimit, 2.5);
-                advice += formatted
-                (
-                    "  Note: %s: an impact at %.3g m/s overlaps by %.2g of "
-                    "d, limit %.2g; ",
-                    pair.c_str(), speed, overlap, overlapLimit
-                );
-                advice +=
-                    wanted <= 1
-                  ? formatted("a chi of %.2g would keep it\n", wanted)
-                  : formatted("even chi 1 would not: the material is too soft\n");
-            }
-
-            // Where each adhesive law holds
-            const bool jkr = normal == "JKR" || normal == "simplifiedJKR";
-            if ((jkr && lowTabor < 3) || (normal == "DMT" && highTabor > 0.1))
-            {
-                advice += formatted
-                (
-                    "  Warning: %s: %s with Tabor numbers of %.2g to %.2g; "
-                    "JKR holds above 3, DMT below 0.1\n",
-                    pair.c_str(), normal.c_str(), lowTabor, highTabor
+                        "particles of %.3g m in contact %s overlap by "
+                        "%.3g diameters (chi %.3g, effective Young's "
+                        "modulus %.3g Pa): are the moduli in Pa, the "
+                        "sizes in m?",
+                        diameter,
+                        other.name.c_str(),
+                        largestOverlap,
+                        chi,
+                        table.constants(dust, i).E
+                    ),
+                    "materials and reducedStiffness/ratio with less than "
+                    "0.25 diameters"
                 );
             }
+        }
+    }
 
-            const scalar gamma = table.constants(dust, i).realGamma;
-            if (gamma > 0)
-            {
-                const scalar softest = dem::softestRatioForMargin
-                (
-                    gamma*holds,
-                    d.gasViscosity,
-                    speed,
-                    d.properties.limits().pullOffOverForce,
-                    wall
-                );
-                advice += formatted
-                (
-                    "  %s: pull-off force %.3g times the drag of one particle "
-                    "(Stokes, fastest gas) needs chi >= %.2g\n",
-                    pair.c_str(),
-                    d.properties.limits().pullOffOverForce,
-                    softest
-                );
-            }
+    string advice = formatted
+    (
+        "  Softest chi that each limit allows, for a slip of %.3g m/s "
+        "(the fastest gas, or dust against it):\n",
+        d.slip
+    );
+    advice += d.advice.text();
+    for (const dem::RatioNeed& need : d.advice.needs)
+    {
+        if (chi < need.chi*(1 - 1e-9) && need.chi <= 1)
+        {
+            advice += formatted
+            (
+                "  Note: chi %.3g is softer than the limit %s allows\n",
+                chi,
+                need.limit.c_str()
+            );
         }
     }
 
@@ -531,20 +463,18 @@ void Foam::dustCloud::checkLimits()
 
     // Margin
 
-    const std::vector<double> margins(d.system->adhesionMargins());
     scalar smallest = GREAT;
-    scalar median = GREAT;
-    if (Pstream::master() && margins.size())
+    findMargins(*d.system, smallest, d.medianMargin);
+    const scalar overlap =
+        returnReduce(d.gasStep.maxOverlapOverDiameter, maxOp<scalar>());
+    if (limits.stiffen)
     {
-        std::vector<double> sorted(margins);
-        std::sort(sorted.begin(), sorted.end());
-        smallest = sorted.front();
-        median = percentile(sorted, 0.5);
+        d.changes.raise
+        (
+            *this, *d.system, limits, smallest, overlap, d.totals.energy
+        );
     }
-    Pstream::scatter(smallest);
-    Pstream::scatter(median);
     d.smallestMargin = min(d.smallestMargin, smallest);
-    d.medianMargin = median;
 
     if (smallest < limits.pullOffOverForce)
     {
@@ -561,15 +491,17 @@ void Foam::dustCloud::checkLimits()
             d.warnedMargin = true;
             WarningInFunction
                 << "Time " << time.timeName() << ": " << violation.c_str()
-                << ". Stiffer particles (reducedStiffness ratio) hold better."
+                << ". "
+                << (
+                       d.system->materials().softening().ratio < 1
+                     ? "Stiffer particles (reducedStiffness ratio) hold better."
+                     : "No chi reaches the limit: this is the real strength."
+                   )
                 << " Said once; the summary counts." << endl;
         }
     }
 
-    // Overlap
-
-    const scalar overlap =
-        returnReduce(d.gasStep.maxOverlapOverDiameter, maxOp<scalar>());
+    // Overlap: what has been, raised or not
 
     if (overlap > limits.overlap)
     {

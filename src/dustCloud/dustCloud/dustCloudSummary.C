@@ -199,6 +199,15 @@ void Foam::dustCloud::printVerdict
         Info<< "; NOTHING WAS INJECTED";
     }
     Info<< leftOut().c_str();
+    if (d.changes.times())
+    {
+        Info<< formatted
+            (
+                "; chi changed %d times, %.3g -> %.3g",
+                d.changes.times(), d.changes.first(),
+                d.system->materials().softening().ratio
+            ).c_str();
+    }
     if (!d.marginSteps && !d.overlapSteps && !d.ratioBelowLimit)
     {
         Info<< "; all limits kept";
@@ -266,6 +275,10 @@ void Foam::dustCloud::summarise()
     summary.imbalance = twoWay_ ? exchangePtr_->imbalance() : -1;
     summary.smallestMargin = d.smallestMargin;
     summary.marginSteps = d.marginSteps;
+    summary.chi = d.system->materials().softening().ratio;
+    summary.firstChi = d.changes.first();
+    summary.chiChanges = d.changes.times();
+    summary.changes = d.changes.done();
     summary.overlapSteps = d.overlapSteps;
 
     if (keepsEnergyLedger())

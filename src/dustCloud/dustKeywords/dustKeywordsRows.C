@@ -95,8 +95,12 @@ void Foam::dustKeywords::addCaseRows(std::vector<row>& t)
             ">=1e-9 <=1", "largest overlap over the diameter"},
         {"reducedStiffness/limits/ratio", "", number, "-", "1e-3",
             ">=1e-12 <=1", "smallest chi"},
+        {"reducedStiffness/limits/loadFactor", "", number, "-", "10",
+            ">=1 <=1e6",
+            "what a bond carries over the force on one particle in the fastest"
+            " gas of the start, for ratio auto"},
         {"reducedStiffness/limits/onViolation", "", name, "-", "warn",
-            "warn stop", "of a limit"},
+            "warn stop stiffen", "of a limit; stiffen: raise chi, go on"},
         {"timeIntegration", "", block, "-", "none: the defaults", "",
             "of contacts"},
         {"timeIntegration/stepsPerContact", "", number, "-", "50",

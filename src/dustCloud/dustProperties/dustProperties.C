@@ -296,9 +296,22 @@ void Foam::dustProperties::readReducedStiffness()
     limits.readIfPresent("pullOffOverForce", limits_.pullOffOverForce);
     limits.readIfPresent("overlap", limits_.overlap);
     limits.readIfPresent("ratio", limits_.ratio);
+    limits.readIfPresent("loadFactor", limits_.loadFactor);
 
-    limits_.stop =
-        limits.lookupOrDefault<word>("onViolation", "warn") == "stop";
+    const word then(limits.lookupOrDefault<word>("onViolation", "warn"));
+    limits_.stop = then == "stop";
+    limits_.stiffen = then == "stiffen";
+    if (limits_.stiffen && !softening_.scaleSurfaceEnergy)
+    {
+        error
+        (
+            dict,
+            "surfaceEnergy",
+            "is unchanged, but onViolation is stiffen: pull-off forces do not"
+            " depend on chi then",
+            "scaled, or onViolation warn or stop"
+        );
+    }
 }
 
 
@@ -330,6 +343,15 @@ Foam::dustProperties::dustProperties(const dictionary& dict)
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::string Foam::dustProperties::askedRatio() const
+{
+    const dictionary& dict = dict_.subOrEmptyDict("reducedStiffness");
+    return
+        automaticRatio_ ? string("auto")
+      : Foam::name(dict.lookupOrDefault<scalar>("ratio", 1));
+}
+
 
 dem::MaterialTable Foam::dustProperties::table() const
 {

@@ -149,6 +149,16 @@ void Foam::runSummary::printWork(Ostream& os) const
                 imbalance
             ).c_str();
     }
+    if (chiChanges)
+    {
+        os  << formatted
+            (
+                "    chi changed %d times, %.3g -> %.3g: %lld contacts went on, "
+                "%lld of them as collisions; stored energy %+.3g J\n",
+                chiChanges, firstChi, chi, (long long)(changes.contacts),
+                (long long)(changes.similar), changes.normal + changes.springs
+            ).c_str();
+    }
     if (offMesh)
     {
         os  << "    centre outside the mesh after a particle step: " << offMesh
@@ -233,6 +243,16 @@ std::vector<Foam::runSummary::row> Foam::runSummary::rows() const
     }
     add("gas steps below margin", marginSteps, "-");
     add("gas steps above overlap", overlapSteps, "-");
+    add("chi", chi, "-");
+    if (chiChanges)
+    {
+        add("chi at start", firstChi, "-");
+        add("changes of chi", chiChanges, "-");
+        add("contacts at changes of chi", changes.contacts, "-");
+        add("collisions at changes of chi", changes.similar, "-");
+        add("energy by changes of chi", changes.normal + changes.springs, "J");
+        add("overlap misfit by changes of chi", changes.misfit, "-");
+    }
     add("balance closes", closes, "-");
     return all;
 }
@@ -253,9 +273,10 @@ std::string Foam::runSummary::energyText(const dem::EnergyLedger& e)
     (
         "    energy [J]: kinetic %.3g, stored by normal forces %.3g and springs "
         "%.3g, released %.3g, dashpots %.3g, yield %.3g, plastic %.3g, rest "
-        "%.3g; work of the gas %.3g, spring gain %.3g; residual %.2g",
+        "%.3g; work of the gas %.3g, spring gain %.3g, changes of chi %.3g; "
+        "residual %.2g",
         e.kinetic, e.normal, e.springs, e.released, e.dashpots, e.yield,
-        e.plastic, e.rest, e.gas, e.springGain, e.residual()
+        e.plastic, e.rest, e.gas, e.springGain, e.stiffening, e.residual()
     );
 }
 

@@ -54,7 +54,7 @@ Foam::functionObjects::energyLedger::energyLedger
         name,
         "energyLedger",
         "time_s,kinetic_J,normal_J,springs_J,released_J,dashpots_J,yield_J,"
-        "plastic_J,rest_J,gas_J,springGain_J,residual_J"
+        "plastic_J,rest_J,gas_J,springGain_J,stiffening_J,residual_J"
     )
 {
     read(dict);
@@ -98,6 +98,7 @@ bool Foam::functionObjects::energyLedger::write()
         e.rest,
         e.gas,
         e.springGain,
+        e.stiffening,
         e.residual()
     );
 

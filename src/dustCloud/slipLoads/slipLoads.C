@@ -1,0 +1,192 @@
+/*---------------------------------------------------------------------------*\
+    dustFoam: adhesive dust in ventilation ducts
+-------------------------------------------------------------------------------
+License
+    This file is part of dustFoam.
+
+    dustFoam is free software: you can redistribute it and/or modify it under
+    the terms of the GNU General Public License as published by the Free
+    Software Foundation, either version 3 of the License, or (at your option)
+    any later version.
+
+    dustFoam is distributed in the hope that it will be useful, but WITHOUT ANY
+    WARRANTY; without even the implied warranty of MERCHANTABILITY or FITNESS
+    FOR A PARTICULAR PURPOSE.  See the GNU General Public License for more
+    details.
+
+    You should have received a copy of the GNU General Public License along
+    with dustFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "slipLoads.H"
+#include "modelTable.H"
+
+#include "InjectionModelList.H"
+#include "DispersionModel.H"
+#include "PatchInteractionModel.H"
+#include "StochasticCollisionModel.H"
+#include "SurfaceFilmModel.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::slipLoads::add(const volVectorField& U, const vector& v)
+{
+    for (const vector& Ui : U.primitiveField())
+    {
+        slip_ = max(slip_, mag(Ui - v));
+    }
+    for (const fvPatchVectorField& patch : U.boundaryField())
+    {
+        for (const vector& Ui : patch)
+        {
+            slip_ = max(slip_, mag(Ui - v));
+        }
+    }
+}
+
+
+void Foam::slipLoads::findSpeeds(const dustCloud& cloud)
+{
+    const volVectorField& U = cloud.U();
+
+    add(U, Zero);
+    gasSpeed_ = speed_ = slip_;
+    const dictionary& injectors =
+        cloud.subModelProperties().subDict("injectionModels");
+    for (const entry& e : injectors)
+    {
+        if
+        (
+            e.isDict() && e.dict().found("U0")
+         && !e.dict().lookupEntry("U0", keyType::LITERAL).stream()[0].isWord()
+        )
+        {
+            const vector U0(e.dict().get<vector>("U0"));
+            speed_ = max(speed_, mag(U0));
+            add(U, U0);
+        }
+    }
+    for (const dustParcel& p : cloud)
+    {
+        speed_ = max(speed_, mag(p.U()));
+        slip_ = max(slip_, max(mag(p.U()), mag(U[p.cell()] - p.U())));
+    }
+
+    reduce(gasSpeed_, maxOp<scalar>());
+    reduce(slip_, maxOp<scalar>());
+    reduce(speed_, maxOp<scalar>());
+}
+
+
+Foam::scalar Foam::slipLoads::drag
+(
+    const dustCloud& cloud,
+    const scalar d,
+    const scalar density
+) const
+{
+    const fvMesh& mesh = cloud.mesh();
+    const wordList laws
+    (
+        modelTable::drags(cloud.subModelProperties().subDict("particleForces"))
+    );
+    scalar Sp = 0;
+
+    if (mesh.nCells() && laws.size())
+    {
+        const label celli = findMax(mag(cloud.U().primitiveField())());
+        dustParcel p(mesh, mesh.C()[celli], celli);
+        p.d() = d;
+        p.rho() = density;
+        p.U() = vector(slip_, 0, 0);
+
+        dustParcel::trackingData td(cloud);
+        td.rhoc() = cloud.rho()[celli];
+        td.muc() = cloud.mu()[celli];
+        td.Uc() = Zero;
+        const scalar Re = td.rhoc()*slip_*d/max(td.muc(), ROOTVSMALL);
+
+        for (const auto& force : cloud.forces())
+        {
+            if (laws.found(force.type()))
+            {
+                Sp += force.calcCoupled
+                (
+                    p, td, 1, p.mass(), Re, td.muc()
+                ).Sp();
+            }
+        }
+    }
+    return returnReduce(Sp, maxOp<scalar>());
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::slipLoads::slipLoads
+(
+    const dustCloud& cloud,
+    const FixedList<scalar, 3>& diameters,
+    const scalar density
+)
+:
+    gasSpeed_(0),
+    slip_(0),
+    speed_(0)
+{
+    findSpeeds(cloud);
+
+    const bool heavy =
+        cloud.subModelProperties().subDict("particleForces").found("gravity");
+
+    for (const scalar d : diameters)
+    {
+        if (d > 0 && (loads_.empty() || d != 2*loads_.back().radius))
+        {
+            dem::RatioLoad load;
+            load.radius = 0.5*d;
+            load.mass = density*constant::mathematical::pi/6*pow3(d);
+            const scalar Sp = drag(cloud, d, density);
+            load.force =
+                Sp*slip_ + (heavy ? load.mass*mag(cloud.g().value()) : 0);
+            load.speed = speed_;
+            load.relaxationTime = Sp > 0 ? load.mass/Sp : 0;
+            loads_.push_back(load);
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::slipLoads::addParticles
+(
+    const dustCloud& cloud,
+    FixedList<scalar, 3>& diameters
+)
+{
+    scalar smallest = diameters[0] > 0 ? diameters[0] : GREAT;
+    scalar largest = diameters[2];
+    scalar sum = 0;
+    for (const dustParcel& p : cloud)
+    {
+        smallest = min(smallest, p.d());
+        largest = max(largest, p.d());
+        sum += p.d();
+    }
+    reduce(smallest, minOp<scalar>());
+    reduce(largest, maxOp<scalar>());
+    reduce(sum, sumOp<scalar>());
+    const label n = returnReduce(cloud.size(), sumOp<label>());
+
+    if (largest > 0)
+    {
+        diameters[0] = smallest;
+        diameters[1] = diameters[1] > 0 ? diameters[1] : sum/n;
+        diameters[2] = largest;
+    }
+}
+
+
+// ************************************************************************* //

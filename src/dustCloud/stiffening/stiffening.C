@@ -1,0 +1,171 @@
+/*---------------------------------------------------------------------------*\
+    dustFoam: adhesive dust in ventilation ducts
+-------------------------------------------------------------------------------
+License
+    This file is part of dustFoam.
+
+    dustFoam is free software: you can redistribute it and/or modify it under
+    the terms of the GNU General Public License as published by the Free
+    Software Foundation, either version 3 of the License, or (at your option)
+    any later version.
+
+    dustFoam is distributed in the hope that it will be useful, but WITHOUT ANY
+    WARRANTY; without even the implied warranty of MERCHANTABILITY or FITNESS
+    FOR A PARTICULAR PURPOSE.  See the GNU General Public License for more
+    details.
+
+    You should have received a copy of the GNU General Public License along
+    with dustFoam.  If not, see <http://www.gnu.org/licenses/>.
+
+\*---------------------------------------------------------------------------*/
+
+#include "stiffening.H"
+#include "dustCloud.H"
+#include "formatted.H"
+
+#include "InjectionModelList.H"
+#include "DispersionModel.H"
+#include "PatchInteractionModel.H"
+#include "StochasticCollisionModel.H"
+#include "SurfaceFilmModel.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::stiffening::takePlaces
+(
+    dustCloud& cloud,
+    const dem::System& system
+)
+{
+    for (dustParcel& p : cloud)
+    {
+        const dem::Vec3& x = system.particle(std::size_t(p.demIndex())).x;
+        p.setX(vector(x.x(), x.y(), x.z()));
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::stiffening::stored(const dictionary& ledger)
+{
+    return ledger.lookupOrDefault<scalar>("chi", -1);
+}
+
+
+bool Foam::stiffening::asBefore
+(
+    const dictionary& ledger,
+    const dustProperties& properties
+)
+{
+    return
+        ledger.lookupOrDefault<string>("ratio", "") == properties.askedRatio();
+}
+
+
+void Foam::stiffening::store
+(
+    dictionary& ledger,
+    const dustProperties& properties,
+    const scalar chi
+)
+{
+    ledger.set("ratio", properties.askedRatio());
+    ledger.set("chi", chi);
+}
+
+
+void Foam::stiffening::change
+(
+    dustCloud& cloud,
+    dem::System& system,
+    const scalar chi,
+    const std::string& reason,
+    dem::EnergyLedger& energy
+)
+{
+    const scalar before = system.materials().softening().ratio;
+    const dem::Restiffened r = system.setRatio(chi);
+    takePlaces(cloud, system);
+
+    ++times_;
+    done_.contacts += r.contacts;
+    done_.similar += r.similar;
+    done_.normal += r.normal;
+    done_.springs += r.springs;
+    done_.farthest = max(done_.farthest, r.farthest);
+    done_.misfit = max(done_.misfit, r.misfit);
+
+    // of all ranks, where the ledger adds up theirs
+    if (Pstream::master() && cloud.keepsEnergyLedger())
+    {
+        energy.normal += r.normal;
+        energy.springs += r.springs;
+        energy.stiffening += r.normal + r.springs;
+    }
+
+    Info<< formatted
+        (
+            "Time %s: chi %.3g -> %.3g, as %s: %lld contacts go on, %lld of "
+            "them as collisions; stored energy %+.3g J, particles set aside "
+            "by up to %.2g m, overlaps off by up to %.2g of themselves",
+            cloud.mesh().time().timeName().c_str(), before, chi, reason.c_str(),
+            (long long)(r.contacts), (long long)(r.similar),
+            r.normal + r.springs, r.farthest, r.misfit
+        ).c_str() << endl;
+}
+
+
+bool Foam::stiffening::raise
+(
+    dustCloud& cloud,
+    dem::System& system,
+    const dem::RatioLimits& limits,
+    scalar& margin,
+    const scalar overlap,
+    dem::EnergyLedger& energy
+)
+{
+    const scalar before = system.materials().softening().ratio;
+    scalar chi = before;
+    std::string reason;
+
+    if (margin < limits.pullOffOverForce)
+    {
+        chi = max
+        (
+            chi,
+            dem::stiffenedRatio(before, margin, limits.pullOffOverForce)
+        );
+        reason = formatted
+        (
+            "a bond holds %.3g times the force on what it carries, limit %.3g",
+            margin,
+            limits.pullOffOverForce
+        );
+    }
+    if (overlap > limits.overlap)
+    {
+        // overlaps fall as pull-off forces grow
+        chi = max(chi, dem::stiffenedRatio(before, limits.overlap, overlap));
+        reason += formatted
+        (
+            "%san overlap is %.3g of a diameter, limit %.3g",
+            reason.empty() ? "" : " and ",
+            overlap,
+            limits.overlap
+        );
+    }
+    if (chi <= before)
+    {
+        return false;
+    }
+    change(cloud, system, chi, reason, energy);
+    margin *= system.materials().softening().surfaceEnergyFactor()
+       /std::pow(before, 0.4);
+    return true;
+}
+
+
+// ************************************************************************* //
