@@ -110,7 +110,7 @@ int main(int argc, char *argv[])
     dustTime runTime(args);
 
     #include "exactTime.H"
-    #include "createMesh.H"
+    #include "createNamedMesh.H"    // createMesh.H has a -dry-run of its own
     #include "createFields.H"
     #include "checkCase.H"
 

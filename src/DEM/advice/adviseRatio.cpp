@@ -80,14 +80,14 @@ public:
 
     explicit Needs(bool scaled) : exponent_(scaled ? 2.5 : 1.5) {}
 
-    //- part: what is, over what may be, unsoftened
+    //- part: what is, over what may be, unsoftened; exponent 0: chi changes nothing of it
     void add
     (
         const char* limit, double part, double real, double bound, const Meeting& m,
         double exponent
     )
     {
-        const double chi = exponent > 0 ? std::pow(part, exponent) : part > 1 ? part : 0;
+        const double chi = exponent > 0 ? std::pow(part, exponent) : part > 1 ? HUGE_VAL : 0;
         for (RatioNeed& n : found)
         {
             if (n.limit != limit) continue;
@@ -130,7 +130,7 @@ public:
             add
             (
                 "tabor", low ? range.least/f.tabor : f.tabor/range.most, f.tabor,
-                range.least > 0 ? range.least : range.most, m, exponent_
+                range.least > 0 ? range.least : range.most, m, low ? 0 : exponent_
             );
         }
         if (load.relaxationTime > 0 && load.speed > 0)
@@ -230,7 +230,19 @@ const RatioNeed& RatioAdvice::binding() const
     return *std::max_element
     (
         needs.begin(), needs.end(),
-        [](const RatioNeed& a, const RatioNeed& b) { return a.chi < b.chi; }
+        [](const RatioNeed& a, const RatioNeed& b)
+        {
+            return (std::isinf(a.chi) ? 0 : a.chi) < (std::isinf(b.chi) ? 0 : b.chi);
+        }
+    );
+}
+
+
+bool RatioAdvice::reached() const
+{
+    return std::all_of
+    (
+        needs.begin(), needs.end(), [](const RatioNeed& n) { return n.chi <= 1; }
     );
 }
 

@@ -71,7 +71,8 @@ std::vector<RatioPartner> ratioPartners
 struct RatioNeed
 {
     std::string limit;      // pullOffOverForce | overlap | tabor | contactTime | ratio | law
-    double chi;             // the softest that keeps it, above 1: none does
+    double chi;             // the softest that keeps it, above 1: none does; infinite: nor does
+                            // any come nearer to it
     double real;            // what it limits, unsoftened: margin f = 1, delta/d, lambda_T, t/tau
     double bound;           // the limit
     std::string pair;       // "" where the limit asks nobody
@@ -84,11 +85,11 @@ struct RatioAdvice
     double loadFactor = 1;
     std::vector<RatioNeed> needs;   // one per limit that there is something to say of
 
-    //- The one that asks for the stiffest
+    //- The one that asks for the stiffest, of those that chi does something for
     const RatioNeed& binding() const;
 
     //- Some chi, at most 1, keeps all limits
-    bool reached() const { return binding().chi <= 1; }
+    bool reached() const;
 
     //- The limit of that name; nullptr: nothing to say of it
     const RatioNeed* find(const std::string& limit) const;

@@ -57,7 +57,6 @@ void check(const Material& m)
 }
 
 
-
 void checkRatio(double chi)
 {
     if (isFinite(chi) && chi > 0 && chi <= 1) return;

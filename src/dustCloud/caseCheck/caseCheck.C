@@ -173,22 +173,13 @@ void Foam::caseCheck::sizes() const
 }
 
 
-Foam::scalar Foam::caseCheck::plan
+Foam::scalar Foam::caseCheck::due
 (
-    const label nParticles,
     const scalar meanDiameter,
-    const scalar longestStep,
-    const volVectorField& U,
-    const bool gasSolved
+    const volVectorField& U
 ) const
 {
-    const Time& time = mesh_.time();
-    const scalar deltaT = time.deltaTValue();
-    const scalar length = time.endTime().value() - time.value();
-
-    // Far more than can be done, and far from what overflows
-    const scalar most = 1e15;
-    const scalar nSteps = length < most*deltaT ? length/deltaT : most;
+    const scalar deltaT = mesh_.time().deltaTValue();
     scalar nExpected = 0;
 
     for (const entry& e : injectors_)
@@ -218,24 +209,6 @@ Foam::scalar Foam::caseCheck::plan
                 << 0.1*flow/volume*rate << " leaves room" << nl;
         }
         nExpected += n;
-    }
-
-    const scalar seconds =
-        nSteps
-       *(
-            (nParticles + 0.5*nExpected)*particleSeconds
-           *max(scalar(1), min(deltaT, length)/longestStep)
-          + gasSolved*scalar(mesh_.globalData().nTotalCells())*cellSeconds
-        )
-       /Pstream::nProcs();
-
-    if (seconds > week)
-    {
-        Info<< "  Warning: this run takes at least " << seconds/86400
-            << " days on " << Pstream::nProcs() << " ranks: " << nSteps
-            << " gas steps, " << nParticles + nExpected << " particles in the"
-            << " end. A longer deltaT, an earlier endTime or fewer particles"
-            << " shorten it" << nl;
     }
     return nExpected;
 }
@@ -268,40 +241,6 @@ void Foam::caseCheck::calibration
                 << " the measured one. 'ratio " << fitted << ";' is its own"
                 << nl;
         }
-    }
-}
-
-
-void Foam::caseCheck::contactTime
-(
-    const dem::MaterialTable& table,
-    const int material,
-    const scalar diameter,
-    const scalar speed,
-    const scalar viscosity
-)
-{
-    if (diameter <= 0)
-    {
-        return;
-    }
-    const scalar density = table.materials()[std::size_t(material)].density;
-    const scalar mass =
-        density*constant::mathematical::pi/6*pow3(diameter);
-    const scalar radius = 0.5*diameter;
-    const scalar contactTime = table.figures
-    (
-        material, material, radius, radius, mass, mass, max(speed, VSMALL)
-    ).impactTime;
-    const scalar relaxation = density*sqr(diameter)/(18*viscosity);
-
-    if (contactTime > 0.1*relaxation)
-    {
-        Info<< "  Warning: a collision of particles of " << diameter << " m"
-            << " takes " << contactTime << " s, their relaxation time is "
-            << relaxation << " s: the gas acts on a collision that is longer"
-            << " than the real one. A larger reducedStiffness/ratio shortens"
-            << " it" << nl;
     }
 }
 

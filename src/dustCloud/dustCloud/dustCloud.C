@@ -25,7 +25,6 @@ License
 #include "modelTable.H"
 #include "patchWalls.H"
 #include "runForecast.H"
-#include "slipLoads.H"
 #include "untrapped.H"
 
 #include "distributionModel.H"
@@ -62,30 +61,29 @@ static scalar chooseRatio
     const dustCloud& cloud,
     dustProperties& properties,
     dem::RatioAdvice& advice,
-    scalar& slip,
+    autoPtr<slipLoads>& loads,
     FixedList<scalar, 3>& diameters,
     const scalar density,
     const dem::Walls& walls,
-    const dictionary& ledger
+    const dictionary& outputProperties
 )
 {
     const dem::MaterialTable table = properties.table();
     const int dust = table.index(properties.dustMaterial());
     slipLoads::addParticles(cloud, diameters);
-    const slipLoads loads(cloud, diameters, density);
-    slip = loads.slip();
+    loads.reset(new slipLoads(cloud, diameters, density));
     advice = dem::adviseRatio
     (
         table,
         dust,
         dem::ratioPartners(table, dust, walls),
-        loads.loads(),
+        loads->loads(),
         properties.limits()
     );
 
-    const scalar stored = stiffening::stored(ledger);
+    const scalar stored = stiffening::stored(outputProperties);
     const scalar wanted =
-        stored > 0 && stiffening::asBefore(ledger, properties) ? stored
+        stored > 0 && stiffening::asBefore(outputProperties, properties) ? stored
       : !properties.automaticRatio() ? properties.softening().ratio
       : diameters[2] > 0 ? advice.chi
       : 1;
@@ -465,7 +463,6 @@ Foam::dustCloud::dustCloud
         max(mag(U_.primitiveField())()),
         maxOp<scalar>()
     );
-    d.gasViscosity = gMax(mu_.primitiveField());
 
     d.startTime = d.now = d.clock = mesh_.time().value();
     d.progressInterval = particleProperties_.lookupOrDefault<scalar>
@@ -496,11 +493,10 @@ Foam::dustCloud::dustCloud
         patchWalls::New(mesh_, particleProperties_, d.properties.table())
     );
 
-    const dictionary ledger(outputProperties_.subOrEmptyDict("ledger"));
     const scalar wanted = chooseRatio
     (
-        *this, d.properties, d.advice, d.slip, d.diameters, density_, walls,
-        ledger
+        *this, d.properties, d.advice, d.loads, d.diameters, density_, walls,
+        outputProperties_
     );
 
     try
@@ -551,8 +547,8 @@ Foam::dustCloud::dustCloud
         d.properties.setRatio(wanted);
         d.changes.change
         (
-            *this, *d.system, wanted, "reducedStiffness/ratio is another one",
-            d.totals.energy
+            *this, d.parcels, *d.system, wanted,
+            "reducedStiffness/ratio is another one", d.totals.energy
         );
     }
     d.changes.setFirst(wanted);
@@ -567,21 +563,12 @@ Foam::dustCloud::dustCloud
         particleProperties_.subDict("contact"),
         d.properties.softening().ratio, d.properties.automaticRatio()
     );
-    caseCheck::contactTime
-    (
-        d.system->materials(), d.material, d.diameters[1], d.gasSpeed,
-        d.gasViscosity
-    );
-    const label nParticles = returnReduce(this->size(), sumOp<label>());
     const scalar due =
-        caseCheck(subModelProperties_.subDict("injectionModels"), mesh_).plan
+        caseCheck(subModelProperties_.subDict("injectionModels"), mesh_).due
         (
-            nParticles, d.diameters[1],
-            solution_.dict().lookupOrDefault<scalar>("deltaTMax", GREAT), U_,
-            !gasFrozen_
+            d.diameters[1], U_
         );
-    runForecast(*this, *d.system, d.material, d.diameters[1], d.gasSpeed)
-   .print(Info(), nParticles, due);
+    runForecast(*this, *d.system, d.loads(), d.material, due).print(Info());
 }
 
 

@@ -187,7 +187,7 @@ void Foam::dustCloud::printMaterials() const
     (
         "  Softest chi that each limit allows, for a slip of %.3g m/s "
         "(the fastest gas, or dust against it):\n",
-        d.slip
+        d.loads->slip()
     );
     advice += d.advice.text();
     for (const dem::RatioNeed& need : d.advice.needs)
@@ -467,13 +467,10 @@ void Foam::dustCloud::checkLimits()
     findMargins(*d.system, smallest, d.medianMargin);
     const scalar overlap =
         returnReduce(d.gasStep.maxOverlapOverDiameter, maxOp<scalar>());
-    if (limits.stiffen)
-    {
-        d.changes.raise
-        (
-            *this, *d.system, limits, smallest, overlap, d.totals.energy
-        );
-    }
+    d.changes.raise
+    (
+        *this, d.parcels, *d.system, limits, smallest, overlap, d.totals.energy
+    );
     d.smallestMargin = min(d.smallestMargin, smallest);
 
     if (smallest < limits.pullOffOverForce)

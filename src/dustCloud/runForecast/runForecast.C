@@ -22,6 +22,8 @@ License
 #include "runForecast.H"
 #include "cellCrossing.H"
 #include "formatted.H"
+#include "rehearsal.H"
+#include "slipLoads.H"
 
 #include "InjectionModelList.H"
 #include "DispersionModel.H"
@@ -29,6 +31,7 @@ License
 #include "StochasticCollisionModel.H"
 #include "SurfaceFilmModel.H"
 
+#include <chrono>
 #include <cmath>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -59,91 +62,178 @@ Foam::scalar Foam::runForecast::longestStep() const
 }
 
 
+Foam::scalar Foam::runForecast::residence() const
+{
+    const fvMesh& mesh = cloud_.mesh();
+    scalar inflow = 0;
+    forAll(mesh.boundary(), patchi)
+    {
+        const fvPatch& patch = mesh.boundary()[patchi];
+        if (!patch.coupled())
+        {
+            const scalarField flux
+            (
+                cloud_.U().boundaryField()[patchi] & patch.Sf()
+            );
+            inflow += sum(max(-flux, scalar(0)));
+        }
+    }
+    reduce(inflow, sumOp<scalar>());
+    return
+        inflow > VSMALL
+      ? min(length_, gSum(mesh.V().field())/inflow)
+      : length_;
+}
+
+
+Foam::scalar Foam::runForecast::productSeconds() const
+{
+    const lduAddressing& address = cloud_.mesh().lduAddr();
+    const labelUList& lower = address.lowerAddr();
+    const labelUList& upper = address.upperAddr();
+    const scalarField a(lower.size(), 0.1);
+    scalarField x(cloud_.mesh().nCells(), 1);
+    scalarField y(x);
+
+    // The shortest of some: other jobs do not count
+    scalar least = GREAT;
+    for (int k = 0; k < 10; ++k)
+    {
+        const auto start = std::chrono::steady_clock::now();
+        y = x;
+        forAll(a, facei)
+        {
+            y[lower[facei]] += a[facei]*x[upper[facei]];
+            y[upper[facei]] += a[facei]*x[lower[facei]];
+        }
+        x = 0.5*y;      // used, so that no compiler leaves it out
+        least = min
+        (
+            least,
+            std::chrono::duration<scalar>
+            (
+                std::chrono::steady_clock::now() - start
+            ).count()
+        );
+    }
+    return returnReduce(least, maxOp<scalar>());
+}
+
+
+Foam::label Foam::runForecast::systems() const
+{
+    const dictionary controls
+    (
+        cloud_.mesh().solutionDict().subOrEmptyDict("PIMPLE")
+    );
+    const label outer = controls.lookupOrDefault<label>("nOuterCorrectors", 1);
+    const label inner = controls.lookupOrDefault<label>("nCorrectors", 1);
+    const label again =
+        controls.lookupOrDefault<label>("nNonOrthogonalCorrectors", 0);
+    const bool predictor =
+        controls.lookupOrDefault<Switch>("momentumPredictor", true);
+    return outer*((predictor ? 3 : 0) + inner*(1 + again));
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::runForecast::runForecast
 (
     const dustCloud& cloud,
     const dem::System& system,
-    const int material,
-    const scalar diameter,
-    const scalar speed
+    const slipLoads& loads,
+    const int dust,
+    const scalar due
 )
 :
     cloud_(cloud),
-    gasSteps_(0),
-    particleSteps_(1),
-    touchSteps_(0)
+    length_
+    (
+        max
+        (
+            scalar(0),
+            cloud.mesh().time().endTime().value() - cloud.mesh().time().value()
+        )
+    )
 {
-    const Time& time = cloud.mesh().time();
-    const scalar length = time.endTime().value() - time.value();
-
     // Far from what overflows
     const scalar most = 1e15;
+    const scalar deltaT = cloud.mesh().time().deltaTValue();
     gasSteps_ =
-        length < most*time.deltaTValue()
-      ? max(scalar(0), std::ceil(length/time.deltaTValue() - 1e-6))
+        length_ < most*deltaT
+      ? max(scalar(0), std::ceil(length_/deltaT - 1e-6))
       : most;
-    particleSteps_ = max
-    (
-        scalar(1),
-        std::ceil(min(length, time.deltaTValue())/longestStep() - 1e-6)
-    );
+    particleSteps_ =
+        gasSteps_
+       *max
+        (
+            scalar(1),
+            std::ceil(min(length_, deltaT)/longestStep() - 1e-6)
+        );
 
-    if (diameter > 0)
+    const scalar there = returnReduce(scalar(system.size()), sumOp<scalar>());
+    const scalar moving =
+        returnReduce(scalar(system.awake().size()), sumOp<scalar>());
+    particles_ = there + due;
+
+    flightSeconds_ = particleSteps_*stepSeconds;
+    if (!cloud.gasFrozen())
     {
-        const dem::MaterialTable& table = system.materials();
-        const scalar mass =
-            table.materials()[std::size_t(material)].density
-           *constant::mathematical::pi/6*pow3(diameter);
-        const dem::ContactFigures f = table.figures
-        (
-            material, material, 0.5*diameter, 0.5*diameter, mass, mass,
-            max(speed, VSMALL)
-        );
-        const scalar step = min
-        (
-            f.period/system.timeSettings().stepsPerContact,
-            system.timeSettings().boundShare*f.stableStep
-        );
-        touchSteps_ = restPeriods*f.period/step;
+        gasSeconds_ =
+            gasSteps_*systems()*perSystem*productSeconds()
+           *(cloud.twoWay() ? 1 + exchangeShare : 1);
     }
+    if (loads.loads().empty() || gasSteps_ < 1)
+    {
+        return;
+    }
+
+    // Those that come are there for half of the rest, on average
+    const scalar flown = residence();
+    flights_ =
+        (moving*flown + due*min(flown, 0.5*length_))
+       *particleSteps_/length_;
+
+    const rehearsal tried(system, dust, loads.mean());
+    contactSteps_ =
+        moving*tried.contactSteps(length_)
+      + touching*due*tried.contactSteps(0.5*length_);
+    flightSeconds_ +=
+        flights_*perFlight*tried.flightSeconds()/Pstream::nProcs();
+    contactSeconds_ =
+        contactSteps_*tried.contactSeconds()/Pstream::nProcs();
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::runForecast::print
-(
-    Ostream& os,
-    const scalar there,
-    const scalar due
-) const
+void Foam::runForecast::print(Ostream& os) const
 {
-    const scalar n = there + 0.5*due;   // on average
-    const scalar steps = gasSteps_*particleSteps_;
-    const scalar contactSteps = (there + due)*touchSteps_;
     const scalar cells = cloud_.mesh().globalData().nTotalCells();
     const scalar ranks = Pstream::nProcs();
-    const scalar gas =
-        cloud_.gasFrozen() ? 0 : gasSteps_*cells*cellSeconds/ranks;
-    const scalar seconds =
-        gas
-      + (steps*n*particleSeconds + contactSteps*contactSeconds)/ranks;
+    const scalar seconds = gasSeconds_ + flightSeconds_ + contactSeconds_;
 
     os  << formatted
         (
-            "Forecast: %.3g gas steps, %.3g particle steps, about %.2g contact "
-            "steps if each particle touches once and comes to rest, %.3g "
-            "particles in the end; memory about %.2g MB on %g ranks, run time "
-            "of the order of %.2g s (gas %.2g s)",
-            gasSteps_, steps, contactSteps, there + due,
+            "Forecast: %.3g gas steps, %.3g particle steps, about %.2g flights "
+            "of particles over one and %.2g contact steps; %.3g particles in "
+            "the end; about %.2g MB on %g ranks, and %.2g s (gas %.2g, flights "
+            "%.2g, contacts %.2g)",
+            gasSteps_, particleSteps_, flights_, contactSteps_, particles_,
             (
-                ranks*rankBytes + (there + due)*particleBytes
-              + cells*cellBytes
+                ranks*rankBytes + particles_*particleBytes + cells*cellBytes
             )/1e6,
-            ranks, seconds, gas
-        ).c_str() << nl << endl;
+            ranks, seconds, gasSeconds_, flightSeconds_, contactSeconds_
+        ).c_str() << nl;
+
+    if (seconds > week)
+    {
+        os  << "  Warning: this run takes about " << seconds/86400
+            << " days on " << ranks << " ranks. A longer deltaT, an earlier"
+            << " endTime or fewer particles shorten it" << nl;
+    }
+    os  << endl;
 }
 
 

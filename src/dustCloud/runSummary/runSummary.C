@@ -153,10 +153,10 @@ void Foam::runSummary::printWork(Ostream& os) const
     {
         os  << formatted
             (
-                "    chi changed %d times, %.3g -> %.3g: %lld contacts went on, "
-                "%lld of them as collisions; stored energy %+.3g J\n",
-                chiChanges, firstChi, chi, (long long)(changes.contacts),
-                (long long)(changes.similar), changes.normal + changes.springs
+                "    chi changed %d times, %.3g -> %.3g: %.10g contacts went on, "
+                "%.10g of them as collisions; stored energy %+.3g J\n",
+                chiChanges, firstChi, chi, double(changes.contacts),
+                double(changes.similar), changes.normal + changes.springs
             ).c_str();
     }
     if (offMesh)

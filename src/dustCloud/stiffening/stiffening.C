@@ -20,6 +20,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "stiffening.H"
+#include "awakeParcels.H"
 #include "dustCloud.H"
 #include "formatted.H"
 
@@ -34,6 +35,7 @@ License
 void Foam::stiffening::takePlaces
 (
     dustCloud& cloud,
+    awakeParcels& parcels,
     const dem::System& system
 )
 {
@@ -42,23 +44,27 @@ void Foam::stiffening::takePlaces
         const dem::Vec3& x = system.particle(std::size_t(p.demIndex())).x;
         p.setX(vector(x.x(), x.y(), x.z()));
     }
+
+    // At rest, too, with the gas of its new place, as after a restart
+    parcels.newGas();
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::scalar Foam::stiffening::stored(const dictionary& ledger)
+Foam::scalar Foam::stiffening::stored(const dictionary& output)
 {
-    return ledger.lookupOrDefault<scalar>("chi", -1);
+    return output.subOrEmptyDict("ledger").lookupOrDefault<scalar>("chi", -1);
 }
 
 
 bool Foam::stiffening::asBefore
 (
-    const dictionary& ledger,
+    const dictionary& output,
     const dustProperties& properties
 )
 {
+    const dictionary ledger(output.subOrEmptyDict("ledger"));
     return
         ledger.lookupOrDefault<string>("ratio", "") == properties.askedRatio();
 }
@@ -79,6 +85,7 @@ void Foam::stiffening::store
 void Foam::stiffening::change
 (
     dustCloud& cloud,
+    awakeParcels& parcels,
     dem::System& system,
     const scalar chi,
     const std::string& reason,
@@ -87,7 +94,7 @@ void Foam::stiffening::change
 {
     const scalar before = system.materials().softening().ratio;
     const dem::Restiffened r = system.setRatio(chi);
-    takePlaces(cloud, system);
+    takePlaces(cloud, parcels, system);
 
     ++times_;
     done_.contacts += r.contacts;
@@ -107,26 +114,31 @@ void Foam::stiffening::change
 
     Info<< formatted
         (
-            "Time %s: chi %.3g -> %.3g, as %s: %lld contacts go on, %lld of "
+            "Time %s: chi %.3g -> %.3g, as %s: %.10g contacts go on, %.10g of "
             "them as collisions; stored energy %+.3g J, particles set aside "
             "by up to %.2g m, overlaps off by up to %.2g of themselves",
             cloud.mesh().time().timeName().c_str(), before, chi, reason.c_str(),
-            (long long)(r.contacts), (long long)(r.similar),
+            double(r.contacts), double(r.similar),
             r.normal + r.springs, r.farthest, r.misfit
         ).c_str() << endl;
 }
 
 
-bool Foam::stiffening::raise
+void Foam::stiffening::raise
 (
     dustCloud& cloud,
+    awakeParcels& parcels,
     dem::System& system,
-    const dem::RatioLimits& limits,
+    const dustProperties::limitSettings& limits,
     scalar& margin,
     const scalar overlap,
     dem::EnergyLedger& energy
 )
 {
+    if (!limits.stiffen)
+    {
+        return;
+    }
     const scalar before = system.materials().softening().ratio;
     scalar chi = before;
     std::string reason;
@@ -157,14 +169,11 @@ bool Foam::stiffening::raise
             limits.overlap
         );
     }
-    if (chi <= before)
+    if (chi > before)
     {
-        return false;
+        change(cloud, parcels, system, chi, reason, energy);
+        margin *= std::pow(chi/before, 0.4);
     }
-    change(cloud, system, chi, reason, energy);
-    margin *= system.materials().softening().surfaceEnergyFactor()
-       /std::pow(before, 0.4);
-    return true;
 }
 
 
