@@ -133,7 +133,7 @@ void Foam::faceMean::makeScales()
 void Foam::faceMean::addBoundary
 (
     vectorField& seen,
-    const List<vectorField>& boundaryValues
+    const volVectorField& U
 ) const
 {
     forAll(open_, patchi)
@@ -144,14 +144,15 @@ void Foam::faceMean::addBoundary
             continue;
         }
         // None on empty patches, whose faces no field has
-        const vectorField& values = boundaryValues[patchi];
+        const vectorField& values = U.boundaryField()[patchi];
         const scalarField& way = normalWay_.boundaryField()[patchi];
         forAll(values, i)
         {
             const label celli = patch.faceCells()[i];
             const vector& m = ownNormal_[patch.start() + i];
             seen[celli] +=
-                patch.magSf()[i]*way[i]/mesh_.V()[celli]*(m & values[i])*m;
+                patch.magSf()[i]*way[i]/mesh_.V()[celli]
+               *(m & (values[i] - U[celli]))*m;
         }
     }
 }
@@ -209,17 +210,7 @@ void Foam::faceMean::setOpen(const volScalarField& p)
         vector one(Zero);
         one[i] = 1;
 
-        List<vectorField> boundaryValues(open_.size());
-        forAll(boundaryValues, patchi)
-        {
-            boundaryValues[patchi].setSize
-            (
-                normalWay_.boundaryField()[patchi].size(),
-                one
-            );
-        }
-        vectorField there(seen(vectorField(mesh_.nCells(), one)));
-        addBoundary(there, boundaryValues);
+        const vectorField there(seen(vectorField(mesh_.nCells(), one)));
         forAll(lack_, celli)
         {
             for (direction j = 0; j < vector::nComponents; ++j)
@@ -341,8 +332,49 @@ Foam::tmp<Foam::surfaceScalarField> Foam::faceMean::flux
 }
 
 
+Foam::tmp<Foam::surfaceScalarField> Foam::faceMean::onFaces
+(
+    const volScalarField& r
+) const
+{
+    tmp<surfaceScalarField> trf
+    (
+        new surfaceScalarField
+        (
+            IOobject("resistanceOnFaces", mesh_.time().timeName(), mesh_),
+            mesh_,
+            dimensionedScalar(r.dimensions(), Zero)
+        )
+    );
+    surfaceScalarField& rf = trf.ref();
+
+    forAll(mesh_.neighbour(), facei)
+    {
+        const scalar a = ownPart_[facei];
+        rf[facei] =
+            a*r[mesh_.owner()[facei]] + (1 - a)*r[mesh_.neighbour()[facei]];
+    }
+    forAll(r.boundaryField(), patchi)
+    {
+        const fvPatchScalarField& rb = r.boundaryField()[patchi];
+        const scalarField& a = ownPart_.boundaryField()[patchi];
+        if (rb.coupled())
+        {
+            rf.boundaryFieldRef()[patchi] =
+                a*rb.patchInternalField() + (1 - a)*rb.patchNeighbourField();
+        }
+        else if (open_[patchi])
+        {
+            rf.boundaryFieldRef()[patchi] = rb.patchInternalField();
+        }
+    }
+    return trf;
+}
+
+
 Foam::tmp<Foam::symmTensorField> Foam::faceMean::resistance
 (
+    const surfaceScalarField& rf,
     const volScalarField& r
 ) const
 {
@@ -351,33 +383,33 @@ Foam::tmp<Foam::symmTensorField> Foam::faceMean::resistance
 
     forAll(mesh_.neighbour(), facei)
     {
-        const label own = mesh_.owner()[facei];
-        const label other = mesh_.neighbour()[facei];
         const scalar a = ownPart_[facei];
         const scalar rWay =
-            mesh_.magSf()[facei]*normalWay_[facei]
-           *(a*r[own] + (1 - a)*r[other]);
-        R[own] += a*rWay*sqr(ownNormal_[facei]);
-        R[other] += (1 - a)*rWay*sqr(neighbourNormal_[facei]);
+            mesh_.magSf()[facei]*normalWay_[facei]*rf[facei];
+        R[mesh_.owner()[facei]] += a*rWay*sqr(ownNormal_[facei]);
+        R[mesh_.neighbour()[facei]] +=
+            (1 - a)*rWay*sqr(neighbourNormal_[facei]);
     }
-    forAll(r.boundaryField(), patchi)
+    forAll(rf.boundaryField(), patchi)
     {
-        const fvPatchScalarField& rb = r.boundaryField()[patchi];
-        if (!open_[patchi])
+        const fvsPatchScalarField& rfb = rf.boundaryField()[patchi];
+        scalarField rWay
+        (
+            ownPart_.boundaryField()[patchi]*rfb.patch().magSf()
+           *normalWay_.boundaryField()[patchi]
+        );
+        if (open_[patchi])
         {
-            continue;
+            rWay *= rfb;
         }
-        const scalarField& a = ownPart_.boundaryField()[patchi];
-        scalarField rWay(rb.patchInternalField());
-        if (rb.coupled())
+        else
         {
-            rWay = a*rWay + (1 - a)*rb.patchNeighbourField();
+            rWay *= r.boundaryField()[patchi].patchInternalField();
         }
-        rWay *= a*rb.patch().magSf()*normalWay_.boundaryField()[patchi];
         forAll(rWay, i)
         {
-            R[rb.patch().faceCells()[i]] +=
-                rWay[i]*sqr(ownNormal_[rb.patch().start() + i]);
+            R[rfb.patch().faceCells()[i]] +=
+                rWay[i]*sqr(ownNormal_[rfb.patch().start() + i]);
         }
     }
     R /= mesh_.V();
@@ -429,10 +461,6 @@ Foam::tmp<Foam::vectorField> Foam::faceMean::seen(const vectorField& u) const
     forAll(open_, patchi)
     {
         const fvPatch& patch = mesh_.boundary()[patchi];
-        if (!open_[patchi])
-        {
-            continue;
-        }
         const scalarField weight
         (
             patch.magSf()*normalWay_.boundaryField()[patchi]
@@ -453,13 +481,8 @@ Foam::tmp<Foam::vectorField> Foam::faceMean::seen(const vectorField& u) const
 
 Foam::tmp<Foam::vectorField> Foam::faceMean::seen(const volVectorField& U) const
 {
-    List<vectorField> boundaryValues(U.boundaryField().size());
-    forAll(boundaryValues, patchi)
-    {
-        boundaryValues[patchi] = U.boundaryField()[patchi];
-    }
     tmp<vectorField> tseen(seen(U.primitiveField()));
-    addBoundary(tseen.ref(), boundaryValues);
+    addBoundary(tseen.ref(), U);
     tseen.ref() += lack_ & U.primitiveField();
     return tseen;
 }

@@ -87,6 +87,12 @@ Foam::momentumExchange::momentumExchange
         mesh,
         dimensionedScalar(dimForce/dimArea, Zero)
     ),
+    onFaces_
+    (
+        IOobject("dustResistanceOnFaces", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedScalar(dimDensity/dimTime, Zero)
+    ),
     throughFaces_(mesh.nCells(), Zero),
     implicitness_(mesh.nCells(), 1),
     imbalance_(0)
@@ -191,7 +197,8 @@ void Foam::momentumExchange::close(const scalar dt, const scalarField& gasMass)
 void Foam::momentumExchange::act()
 {
     alongFaces_ = faces_.along(force_);
-    throughFaces_ = faces_.resistance(resistance_);
+    onFaces_ = faces_.onFaces(resistance_);
+    throughFaces_ = faces_.resistance(onFaces_, resistance_);
 }
 
 
