@@ -151,9 +151,28 @@ void Foam::faceMean::addBoundary
             const label celli = patch.faceCells()[i];
             const vector& m = ownNormal_[patch.start() + i];
             seen[celli] +=
-                patch.magSf()[i]*way[i]/mesh_.V()[celli]
-               *(m & (values[i] - U[celli]))*m;
+                patch.magSf()[i]*way[i]/mesh_.V()[celli]*(m & values[i])*m;
         }
+    }
+}
+
+
+void Foam::faceMean::addResistance
+(
+    symmTensorField& R,
+    const label patchi,
+    const scalarField& rf
+) const
+{
+    const fvPatch& patch = mesh_.boundary()[patchi];
+    const scalarField rWay
+    (
+        ownPart_.boundaryField()[patchi]*patch.magSf()
+       *normalWay_.boundaryField()[patchi]*rf
+    );
+    forAll(rWay, i)
+    {
+        R[patch.faceCells()[i]] += rWay[i]*sqr(ownNormal_[patch.start() + i]);
     }
 }
 
@@ -207,10 +226,16 @@ void Foam::faceMean::setOpen(const volScalarField& p)
     lack_ = tensor::I;
     for (direction i = 0; i < vector::nComponents; ++i)
     {
-        vector one(Zero);
-        one[i] = 1;
-
-        const vectorField there(seen(vectorField(mesh_.nCells(), one)));
+        vector axis(Zero);
+        axis[i] = 1;
+        const volVectorField one
+        (
+            IOobject("one", mesh_.time().timeName(), mesh_),
+            mesh_,
+            dimensionedVector("one", dimless, axis)
+        );
+        vectorField there(seen(one.primitiveField()));
+        addBoundary(there, one);
         forAll(lack_, celli)
         {
             for (direction j = 0; j < vector::nComponents; ++j)
@@ -374,8 +399,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::faceMean::onFaces
 
 Foam::tmp<Foam::symmTensorField> Foam::faceMean::resistance
 (
-    const surfaceScalarField& rf,
-    const volScalarField& r
+    const surfaceScalarField& rf
 ) const
 {
     tmp<symmTensorField> tR(new symmTensorField(mesh_.nCells(), Zero));
@@ -392,27 +416,32 @@ Foam::tmp<Foam::symmTensorField> Foam::faceMean::resistance
     }
     forAll(rf.boundaryField(), patchi)
     {
-        const fvsPatchScalarField& rfb = rf.boundaryField()[patchi];
-        scalarField rWay
-        (
-            ownPart_.boundaryField()[patchi]*rfb.patch().magSf()
-           *normalWay_.boundaryField()[patchi]
-        );
-        if (open_[patchi])
-        {
-            rWay *= rfb;
-        }
-        else
-        {
-            rWay *= r.boundaryField()[patchi].patchInternalField();
-        }
-        forAll(rWay, i)
-        {
-            R[rfb.patch().faceCells()[i]] +=
-                rWay[i]*sqr(ownNormal_[rfb.patch().start() + i]);
-        }
+        addResistance(R, patchi, rf.boundaryField()[patchi]);
     }
     R /= mesh_.V();
+    return tR;
+}
+
+
+Foam::tmp<Foam::symmTensorField> Foam::faceMean::wallResistance
+(
+    const volScalarField& r
+) const
+{
+    tmp<symmTensorField> tR(new symmTensorField(mesh_.nCells(), Zero));
+    forAll(open_, patchi)
+    {
+        if (!open_[patchi])
+        {
+            addResistance
+            (
+                tR.ref(),
+                patchi,
+                r.boundaryField()[patchi].patchInternalField()
+            );
+        }
+    }
+    tR.ref() /= mesh_.V();
     return tR;
 }
 
@@ -461,6 +490,10 @@ Foam::tmp<Foam::vectorField> Foam::faceMean::seen(const vectorField& u) const
     forAll(open_, patchi)
     {
         const fvPatch& patch = mesh_.boundary()[patchi];
+        if (!open_[patchi])
+        {
+            continue;
+        }
         const scalarField weight
         (
             patch.magSf()*normalWay_.boundaryField()[patchi]

@@ -198,7 +198,8 @@ void Foam::momentumExchange::act()
 {
     alongFaces_ = faces_.along(force_);
     onFaces_ = faces_.onFaces(resistance_);
-    throughFaces_ = faces_.resistance(onFaces_, resistance_);
+    throughFaces_ =
+        faces_.resistance(onFaces_) + faces_.wallResistance(resistance_);
 }
 
 
@@ -212,9 +213,13 @@ Foam::tmp<Foam::vectorField> Foam::momentumExchange::correction
     const vectorField change(U - UOld);
     const scalarField Vdt(mesh_.V()*dt);
 
+    const symmTensorField toParticles
+    (
+        throughFaces_ - faces_.wallResistance(resistance_)
+    );
     givenByGas_ = sum
     (
-        Vdt*((throughFaces_ & change) - force_.primitiveField())
+        Vdt*((toParticles & change) - force_.primitiveField())
     );
     exchanged_ += sum(Vdt*resistance_.primitiveField()*mag(U));
 
