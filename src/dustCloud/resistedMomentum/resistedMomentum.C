@@ -65,18 +65,29 @@ Foam::solverPerformance Foam::resistedMomentum::solveComponent
         );
     }
 
-    const solverPerformance performance
+    // A residual of round-off is none: OpenFOAM takes it over how far U is from
+    // its mean, and of an even flow its solvers would go on with noise, to 0/0
+    solverPerformance performance
     (
-        lduMatrix::solver::New
+        controls.get<word>("solver"),
+        U_.name() + vector::componentNames[cmpt]
+    );
+    const scalar left = gSumMag
+    (
+        lduMatrix::residual(UCmpt, sourceCmpt, boundary, interfaces, cmpt)()
+    );
+    if (left > 1e-15*gSumMag(scalarField(diag()*UCmpt)))
+    {
+        performance = lduMatrix::solver::New
         (
-            U_.name() + vector::componentNames[cmpt],
+            performance.fieldName(),
             *this,
             boundary,
             internal,
             interfaces,
             controls
-        )->solve(UCmpt, sourceCmpt, cmpt)
-    );
+        )->solve(UCmpt, sourceCmpt, cmpt);
+    }
 
     U_.primitiveFieldRef().replace(cmpt, UCmpt);
     diag() = without;
