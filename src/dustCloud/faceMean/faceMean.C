@@ -268,14 +268,17 @@ Foam::tmp<Foam::surfaceScalarField> Foam::faceMean::along
     );
     surfaceScalarField& psi = tpsi.ref();
 
-    forAll(mesh_.neighbour(), facei)
+    const labelUList& owner = mesh_.owner();
+    const labelUList& neighbour = mesh_.neighbour();
+
+    forAll(neighbour, facei)
     {
         const scalar a = ownPart_[facei];
         psi[facei] =
             d[facei]
           & (
-                a*upright[mesh_.owner()[facei]]
-              + (1 - a)*upright[mesh_.neighbour()[facei]]
+                a*upright[owner[facei]]
+              + (1 - a)*upright[neighbour[facei]]
             );
     }
     forAll(psi.boundaryField(), patchi)
@@ -314,22 +317,26 @@ Foam::tmp<Foam::volVectorField> Foam::faceMean::force
     );
     vectorField& force = tforce.ref().primitiveFieldRef();
 
-    forAll(mesh_.neighbour(), facei)
+    const labelUList& owner = mesh_.owner();
+    const labelUList& neighbour = mesh_.neighbour();
+    const vectorField& S = mesh_.Sf().primitiveField();
+
+    forAll(neighbour, facei)
     {
-        const vector push(mesh_.Sf()[facei]*psi[facei]);
+        const vector push(S[facei]*psi[facei]);
         const scalar a = ownPart_[facei];
-        force[mesh_.owner()[facei]] += a*push;
-        force[mesh_.neighbour()[facei]] += (1 - a)*push;
+        force[owner[facei]] += a*push;
+        force[neighbour[facei]] += (1 - a)*push;
     }
     forAll(psi.boundaryField(), patchi)
     {
         const fvsPatchScalarField& psib = psi.boundaryField()[patchi];
         const labelUList& cells = psib.patch().faceCells();
-        const vectorField& S = mesh_.Sf().boundaryField()[patchi];
+        const vectorField& Sb = mesh_.Sf().boundaryField()[patchi];
         const scalarField& a = ownPart_.boundaryField()[patchi];
         forAll(psib, i)
         {
-            force[cells[i]] += a[i]*S[i]*psib[i];
+            force[cells[i]] += a[i]*Sb[i]*psib[i];
         }
     }
     force /= mesh_.V();
@@ -373,11 +380,14 @@ Foam::tmp<Foam::surfaceScalarField> Foam::faceMean::onFaces
     );
     surfaceScalarField& rf = trf.ref();
 
-    forAll(mesh_.neighbour(), facei)
+    const labelUList& owner = mesh_.owner();
+    const labelUList& neighbour = mesh_.neighbour();
+
+    forAll(neighbour, facei)
     {
         const scalar a = ownPart_[facei];
         rf[facei] =
-            a*r[mesh_.owner()[facei]] + (1 - a)*r[mesh_.neighbour()[facei]];
+            a*r[owner[facei]] + (1 - a)*r[neighbour[facei]];
     }
     forAll(r.boundaryField(), patchi)
     {
@@ -405,13 +415,17 @@ Foam::tmp<Foam::symmTensorField> Foam::faceMean::resistance
     tmp<symmTensorField> tR(new symmTensorField(mesh_.nCells(), Zero));
     symmTensorField& R = tR.ref();
 
-    forAll(mesh_.neighbour(), facei)
+    const labelUList& owner = mesh_.owner();
+    const labelUList& neighbour = mesh_.neighbour();
+    const scalarField& magS = mesh_.magSf().primitiveField();
+
+    forAll(neighbour, facei)
     {
         const scalar a = ownPart_[facei];
         const scalar rWay =
-            mesh_.magSf()[facei]*normalWay_[facei]*rf[facei];
-        R[mesh_.owner()[facei]] += a*rWay*sqr(ownNormal_[facei]);
-        R[mesh_.neighbour()[facei]] +=
+            magS[facei]*normalWay_[facei]*rf[facei];
+        R[owner[facei]] += a*rWay*sqr(ownNormal_[facei]);
+        R[neighbour[facei]] +=
             (1 - a)*rWay*sqr(neighbourNormal_[facei]);
     }
     forAll(rf.boundaryField(), patchi)
@@ -452,16 +466,20 @@ Foam::tmp<Foam::vectorField> Foam::faceMean::seen(const vectorField& u) const
     vectorField& seen = tseen.ref();
     const label nInternal = mesh_.nInternalFaces();
 
-    forAll(mesh_.neighbour(), facei)
+    const labelUList& owner = mesh_.owner();
+    const labelUList& neighbour = mesh_.neighbour();
+    const scalarField& magS = mesh_.magSf().primitiveField();
+
+    forAll(neighbour, facei)
     {
-        const label own = mesh_.owner()[facei];
-        const label other = mesh_.neighbour()[facei];
+        const label own = owner[facei];
+        const label other = neighbour[facei];
         const scalar a = ownPart_[facei];
         const vector& mOwn = ownNormal_[facei];
         const vector& mOther = neighbourNormal_[facei];
         const vector through
         (
-            mesh_.magSf()[facei]*normalWay_[facei]
+            magS[facei]*normalWay_[facei]
            *(
                 a*(mOwn & u[own])*mOwn
               + (1 - a)*(mOther & u[other])*mOther

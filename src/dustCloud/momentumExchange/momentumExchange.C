@@ -93,6 +93,7 @@ Foam::momentumExchange::momentumExchange
         mesh,
         dimensionedScalar(dimDensity/dimTime, Zero)
     ),
+    toParticles_(mesh.nCells(), Zero),
     throughFaces_(mesh.nCells(), Zero),
     implicitness_(mesh.nCells(), 1),
     imbalance_(0)
@@ -198,8 +199,8 @@ void Foam::momentumExchange::act()
 {
     alongFaces_ = faces_.along(force_);
     onFaces_ = faces_.onFaces(resistance_);
-    throughFaces_ =
-        faces_.resistance(onFaces_) + faces_.wallResistance(resistance_);
+    toParticles_ = faces_.resistance(onFaces_);
+    throughFaces_ = toParticles_ + faces_.wallResistance(resistance_);
 }
 
 
@@ -213,13 +214,9 @@ Foam::tmp<Foam::vectorField> Foam::momentumExchange::correction
     const vectorField change(U - UOld);
     const scalarField Vdt(mesh_.V()*dt);
 
-    const symmTensorField toParticles
-    (
-        throughFaces_ - faces_.wallResistance(resistance_)
-    );
     givenByGas_ = sum
     (
-        Vdt*((toParticles & change) - force_.primitiveField())
+        Vdt*((toParticles_ & change) - force_.primitiveField())
     );
     exchanged_ += sum(Vdt*resistance_.primitiveField()*mag(U));
 
