@@ -51,8 +51,8 @@ Usage
       - optional constant/g; without it there is no gravity
       - the fields U and, if the gas is solved, p in the start time
 
-    With two-way coupling the velocity is swept after the last corrector until
-    the gas's equation loses less than momentumTolerance (in PIMPLE, 1e-6) of
+    With two-way coupling the gas's equation is solved again after the last
+    corrector until it loses less than momentumTolerance (in PIMPLE, 1e-6) of
     the gas's momentum in a step.
 
     dustFoam -dry-run prints contacts, chi, the scene plan and a forecast of

@@ -117,7 +117,7 @@ Usage
 \*---------------------------------------------------------------------------*/
 
 #include "caseInput.H"
-#include "studyReport.H"
+#include "studyPicture.H"
 
 #include "argList.H"
 #include "OSspecific.H"
@@ -126,9 +126,12 @@ Usage
 
 using namespace Foam;
 
-// * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-int main(int argc, char *argv[])
+namespace
+{
+
+void addOptions()
 {
     argList::addNote
     (
@@ -155,7 +158,43 @@ int main(int argc, char *argv[])
         "report",
         "Run nothing: table, picture and recommendation of what is finished"
     );
+}
 
+
+//- Write the script, and let gnuplot draw it
+void draw(const studyPicture& picture, const fileName& directory)
+{
+    const fileName script(directory/"errorVsRunTime.gp");
+    const fileName png(directory/"errorVsRunTime.png");
+    picture.write(script, png);
+    Foam::rm(png);
+    const int code = std::system
+    (
+        (
+            "cd " + directory + " && command -v gnuplot > /dev/null"
+            " && gnuplot errorVsRunTime.gp > log.gnuplot 2>&1"
+        ).c_str()
+    );
+    if (code == 0 && isFile(png, false))
+    {
+        Info<< "    drawn in " << png << nl;
+    }
+    else
+    {
+        Info<< "    WARNING: no picture. With gnuplot (Debian: apt-get install"
+            << " gnuplot-nox):" << nl
+            << "    cd " << directory << " && gnuplot " << script.name() << nl;
+    }
+}
+
+} // End namespace
+
+
+// * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
+
+int main(int argc, char *argv[])
+{
+    addOptions();
     argList args(argc, argv);
     if (!args.checkRootCase())
     {
@@ -186,27 +225,7 @@ int main(int argc, char *argv[])
     report.print();
     Info<< nl << "    written to " << csv << nl;
 
-    const fileName script(directory/"errorVsRunTime.gp");
-    const fileName png(directory/"errorVsRunTime.png");
-    report.writePicture(script, png);
-    Foam::rm(png);
-    const int code = std::system
-    (
-        (
-            "cd " + directory + " && command -v gnuplot > /dev/null"
-            " && gnuplot errorVsRunTime.gp > log.gnuplot 2>&1"
-        ).c_str()
-    );
-    if (code == 0 && isFile(png, false))
-    {
-        Info<< "    drawn in " << png << nl;
-    }
-    else
-    {
-        Info<< "    WARNING: no picture. With gnuplot (Debian: apt-get install"
-            << " gnuplot-nox):" << nl
-            << "    cd " << directory << " && gnuplot " << script.name() << nl;
-    }
+    draw(studyPicture(settings, report), directory);
 
     label failed = 0;
     for (const studyRuns::run& r : runs.runs())

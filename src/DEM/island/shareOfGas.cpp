@@ -2,6 +2,7 @@
 #include "island/shareOfGas.hpp"
 
 #include "neighbourSearch/DisjointSets.hpp"
+#include "particles/ClusterDrag.hpp"
 #include "timeIntegration/freeFlight.hpp"
 
 namespace dem
@@ -19,12 +20,13 @@ std::vector<GasExchange> shareOfGas(const IslandState& state, double dt)
             if (s.j >= 0) clusters.join(i, std::size_t(s.j));
         }
     }
-    std::vector<double> drag(n, 0), mass(n, 0);     // by root
+    std::vector<ClusterDrag> drag(n);               // by root
+    std::vector<double> mass(n, 0);
     std::vector<char> held(n, 0);
     for (std::size_t i = 0; i < n; ++i)
     {
         const std::size_t root = clusters.find(i);
-        drag[root] += state.gas[i].Sp;
+        drag[root].add(state.gas[i], state.impulse[i], dt);
         mass[root] += state.particles[i].mass;
         if (state.rest[i].resting && state.rest[i].aggregate < 0) held[root] = 1;
         for (const StoredContact& s : stored[i]) if (s.j < 0) held[root] = 1;
@@ -35,9 +37,10 @@ std::vector<GasExchange> shareOfGas(const IslandState& state, double dt)
     {
         const std::size_t root = clusters.find(i);
         GasExchange& e = result[i];
-        e.impulse = state.impulse[i];
         e.held = held[root];
-        const FlightFactors f(e.held ? 0 : drag[root]/mass[root], dt);
+        e.impulse =
+            e.held ? state.impulse[i] : drag[root].given(state.gas[i], state.impulse[i], dt);
+        const FlightFactors f(e.held ? 0 : drag[root].Sp/mass[root], dt);
         e.response = state.gas[i].Sp*f.p1;
         e.memory = f.e;
     }

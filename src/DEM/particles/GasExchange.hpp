@@ -11,7 +11,7 @@ namespace dem
 struct GasExchange
 {
     //- Drag and Su, contact impulses not included [N s]. Of one at rest: of the load that it
-    //  rests under; what holds it takes that.
+    //  rests under; what holds it takes that. In a flying cluster: ClusterDrag
     Vec3 impulse = Vec3::Zero();
 
     //- d(impulse)/dUc [kg]

@@ -16,6 +16,7 @@ struct GasLoad
     Vec3 Su = Vec3::Zero();     // [N]
     double SpOmega = 0;         // [N m s] >= 0; Stokes: 8 pi mu r^3
     Vec3 omegaC = Vec3::Zero(); // half the gas vorticity [rad/s]
+    double apart = 1;           // of drag beside that of its flying cluster, see ClusterDrag [-]
 
     template<class S, class F>
     static void fields(S& s, F& f)
@@ -25,13 +26,14 @@ struct GasLoad
         f(s.Su);
         f(s.SpOmega);
         f(s.omegaC);
+        f(s.apart);
     }
 
     bool finite() const
     {
         return
             isFinite(Sp) && isFinite(SpOmega) && isFinite(Uc) && isFinite(Su)
-         && isFinite(omegaC);
+         && isFinite(omegaC) && isFinite(apart);
     }
 };
 

@@ -2,6 +2,7 @@
 #include "system/IslandMotion.hpp"
 
 #include "contactModels/contactModel/ContactLaw.hpp"
+#include "particles/ClusterDrag.hpp"
 #include "particles/errors.hpp"
 #include "timeIntegration/RigidAggregate.hpp"
 
@@ -128,11 +129,14 @@ bool IslandMotion::flyTogether(IslandMembers& island, double dt)
     std::vector<Vec3> impulses;
     const Eigen::Matrix3d turn = body.fly(dt, impulses);
     const FlightFactors flight = body.flight(dt);
+    ClusterDrag drag;
+    for (std::size_t k = 0; k < members.size(); ++k) drag.add(loads[k], impulses[k], dt);
     for (std::size_t k = 0; k < members.size(); ++k)
     {
         Member& m = members[k];
         m.p = flyers[k];
-        m.exchange = {impulses[k], m.gas.Sp*flight.p1, flight.e, false};
+        m.exchange =
+            {drag.given(m.gas, impulses[k], dt), m.gas.Sp*flight.p1, flight.e, false};
         Eigen::Map<Vec3> force(m.rest.force);
         force = turn*Vec3(force);
         Eigen::Map<Vec3> arm(m.rest.arm);

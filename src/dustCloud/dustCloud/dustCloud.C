@@ -632,7 +632,6 @@ void Foam::dustCloud::evolve(const scalar gasSeconds)
 {
     demData& d = *dem_;
     d.gasSeconds += gasSeconds;
-
     if (!solution_.canEvolve())
     {
         return;
@@ -688,6 +687,7 @@ void Foam::dustCloud::evolve(const scalar gasSeconds)
     #else
     functions_.postEvolve();
     #endif
+    checkBalance();
 
     if (!gasFrozen_)
     {

@@ -32,6 +32,8 @@ License
 #include "StochasticCollisionModel.H"
 #include "SurfaceFilmModel.H"
 
+#include <cmath>
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::dustCloud::findOwnForces()
@@ -97,6 +99,16 @@ Foam::vector Foam::dustCloud::setGasLoad
     {
         load.Su += toVec3(loads.contactNoise(d.brownian->step(p, subStep), load));
         p.loaded() = false;     // a new one in each step
+    }
+
+    if (twoWay_ && p.state() == dustParcel::inContact)
+    {
+        // Of all dust there, as if it had this particle's drag per volume
+        const scalar alpha = alphac_[p.cell()];
+        const scalar a =
+            load.Sp*solution_.trackTime()*(1 - alpha)
+           /(p.volume()*td.rhoc()*alpha);
+        load.apart = a > SMALL ? -std::expm1(-a)/a : 1;
     }
 
     load.Su += toVec3(owed);

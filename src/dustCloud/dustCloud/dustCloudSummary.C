@@ -237,17 +237,34 @@ void Foam::dustCloud::printVerdict
 }
 
 
+void Foam::dustCloud::checkBalance() const
+{
+    labelList n(2);
+    n[0] = this->size();
+    n[1] = label(dem_->system->size());
+    Pstream::listCombineGather(n, plusEqOp<label>());
+    Pstream::listCombineScatter(n);
+
+    if (injected_.count != n[0] + escaped().count || n[0] != n[1])
+    {
+        FatalErrorInFunction
+            << "Time " << mesh_.time().timeName() << ": the particle balance"
+            << " does not close: injected " << injected_.count
+            << ", in the cloud " << n[0] << ", in the DEM system " << n[1]
+            << ", escaped " << escaped().count << exit(FatalError);
+    }
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::dustCloud::summarise()
 {
+    checkBalance();
+
     demData& d = *dem_;
     runSummary summary;
     const label inCloud = returnReduce(this->size(), sumOp<label>());
-    const label inSystem =
-        returnReduce(label(d.system->size()), sumOp<label>());
-    const tally out = escaped();
-
     tally airborne, deposited;
     setBalance(summary, airborne, deposited);
 
@@ -295,12 +312,7 @@ void Foam::dustCloud::summarise()
     }
 
     summary.closes =
-        injected_.count == inCloud + out.count
-     && inCloud == inSystem
-     && (
-            !Pstream::master()
-         || airborne.count + deposited.count == inCloud
-        );
+        !Pstream::master() || airborne.count + deposited.count == inCloud;
 
     summary.print(Info());
     if (Pstream::master())
@@ -312,11 +324,9 @@ void Foam::dustCloud::summarise()
     if (!summary.closes)
     {
         FatalErrorInFunction
-            << "The particle balance does not close: injected "
-            << injected_.count << ", in the cloud " << inCloud
-            << ", in the DEM system " << inSystem << ", airborne "
-            << airborne.count << ", deposited " << deposited.count
-            << ", escaped " << out.count << exit(FatalError);
+            << "The particle balance does not close: in the cloud " << inCloud
+            << ", airborne " << airborne.count << ", deposited "
+            << deposited.count << exit(FatalError);
     }
 }
 

@@ -133,7 +133,7 @@ void Foam::faceMean::makeScales()
 void Foam::faceMean::addBoundary
 (
     vectorField& seen,
-    const List<vectorField>& boundaryValues
+    const volVectorField& U
 ) const
 {
     forAll(open_, patchi)
@@ -144,7 +144,7 @@ void Foam::faceMean::addBoundary
             continue;
         }
         // None on empty patches, whose faces no field has
-        const vectorField& values = boundaryValues[patchi];
+        const vectorField& values = U.boundaryField()[patchi];
         const scalarField& way = normalWay_.boundaryField()[patchi];
         forAll(values, i)
         {
@@ -153,6 +153,26 @@ void Foam::faceMean::addBoundary
             seen[celli] +=
                 patch.magSf()[i]*way[i]/mesh_.V()[celli]*(m & values[i])*m;
         }
+    }
+}
+
+
+void Foam::faceMean::addResistance
+(
+    symmTensorField& R,
+    const label patchi,
+    const scalarField& rf
+) const
+{
+    const fvPatch& patch = mesh_.boundary()[patchi];
+    const scalarField rWay
+    (
+        ownPart_.boundaryField()[patchi]*patch.magSf()
+       *normalWay_.boundaryField()[patchi]*rf
+    );
+    forAll(rWay, i)
+    {
+        R[patch.faceCells()[i]] += rWay[i]*sqr(ownNormal_[patch.start() + i]);
     }
 }
 
@@ -206,20 +226,16 @@ void Foam::faceMean::setOpen(const volScalarField& p)
     lack_ = tensor::I;
     for (direction i = 0; i < vector::nComponents; ++i)
     {
-        vector one(Zero);
-        one[i] = 1;
-
-        List<vectorField> boundaryValues(open_.size());
-        forAll(boundaryValues, patchi)
-        {
-            boundaryValues[patchi].setSize
-            (
-                normalWay_.boundaryField()[patchi].size(),
-                one
-            );
-        }
-        vectorField there(seen(vectorField(mesh_.nCells(), one)));
-        addBoundary(there, boundaryValues);
+        vector axis(Zero);
+        axis[i] = 1;
+        const volVectorField one
+        (
+            IOobject("one", mesh_.time().timeName(), mesh_),
+            mesh_,
+            dimensionedVector("one", dimless, axis)
+        );
+        vectorField there(seen(one.primitiveField()));
+        addBoundary(there, one);
         forAll(lack_, celli)
         {
             for (direction j = 0; j < vector::nComponents; ++j)
@@ -252,14 +268,17 @@ Foam::tmp<Foam::surfaceScalarField> Foam::faceMean::along
     );
     surfaceScalarField& psi = tpsi.ref();
 
-    forAll(mesh_.neighbour(), facei)
+    const labelUList& owner = mesh_.owner();
+    const labelUList& neighbour = mesh_.neighbour();
+
+    forAll(neighbour, facei)
     {
         const scalar a = ownPart_[facei];
         psi[facei] =
             d[facei]
           & (
-                a*upright[mesh_.owner()[facei]]
-              + (1 - a)*upright[mesh_.neighbour()[facei]]
+                a*upright[owner[facei]]
+              + (1 - a)*upright[neighbour[facei]]
             );
     }
     forAll(psi.boundaryField(), patchi)
@@ -298,22 +317,26 @@ Foam::tmp<Foam::volVectorField> Foam::faceMean::force
     );
     vectorField& force = tforce.ref().primitiveFieldRef();
 
-    forAll(mesh_.neighbour(), facei)
+    const labelUList& owner = mesh_.owner();
+    const labelUList& neighbour = mesh_.neighbour();
+    const vectorField& S = mesh_.Sf().primitiveField();
+
+    forAll(neighbour, facei)
     {
-        const vector push(mesh_.Sf()[facei]*psi[facei]);
+        const vector push(S[facei]*psi[facei]);
         const scalar a = ownPart_[facei];
-        force[mesh_.owner()[facei]] += a*push;
-        force[mesh_.neighbour()[facei]] += (1 - a)*push;
+        force[owner[facei]] += a*push;
+        force[neighbour[facei]] += (1 - a)*push;
     }
     forAll(psi.boundaryField(), patchi)
     {
         const fvsPatchScalarField& psib = psi.boundaryField()[patchi];
         const labelUList& cells = psib.patch().faceCells();
-        const vectorField& S = mesh_.Sf().boundaryField()[patchi];
+        const vectorField& Sb = mesh_.Sf().boundaryField()[patchi];
         const scalarField& a = ownPart_.boundaryField()[patchi];
         forAll(psib, i)
         {
-            force[cells[i]] += a[i]*S[i]*psib[i];
+            force[cells[i]] += a[i]*Sb[i]*psib[i];
         }
     }
     force /= mesh_.V();
@@ -341,46 +364,98 @@ Foam::tmp<Foam::surfaceScalarField> Foam::faceMean::flux
 }
 
 
-Foam::tmp<Foam::symmTensorField> Foam::faceMean::resistance
+Foam::tmp<Foam::surfaceScalarField> Foam::faceMean::onFaces
 (
     const volScalarField& r
+) const
+{
+    tmp<surfaceScalarField> trf
+    (
+        new surfaceScalarField
+        (
+            IOobject("resistanceOnFaces", mesh_.time().timeName(), mesh_),
+            mesh_,
+            dimensionedScalar(r.dimensions(), Zero)
+        )
+    );
+    surfaceScalarField& rf = trf.ref();
+
+    const labelUList& owner = mesh_.owner();
+    const labelUList& neighbour = mesh_.neighbour();
+
+    forAll(neighbour, facei)
+    {
+        const scalar a = ownPart_[facei];
+        rf[facei] =
+            a*r[owner[facei]] + (1 - a)*r[neighbour[facei]];
+    }
+    forAll(r.boundaryField(), patchi)
+    {
+        const fvPatchScalarField& rb = r.boundaryField()[patchi];
+        const scalarField& a = ownPart_.boundaryField()[patchi];
+        if (rb.coupled())
+        {
+            rf.boundaryFieldRef()[patchi] =
+                a*rb.patchInternalField() + (1 - a)*rb.patchNeighbourField();
+        }
+        else if (open_[patchi])
+        {
+            rf.boundaryFieldRef()[patchi] = rb.patchInternalField();
+        }
+    }
+    return trf;
+}
+
+
+Foam::tmp<Foam::symmTensorField> Foam::faceMean::resistance
+(
+    const surfaceScalarField& rf
 ) const
 {
     tmp<symmTensorField> tR(new symmTensorField(mesh_.nCells(), Zero));
     symmTensorField& R = tR.ref();
 
-    forAll(mesh_.neighbour(), facei)
+    const labelUList& owner = mesh_.owner();
+    const labelUList& neighbour = mesh_.neighbour();
+    const scalarField& magS = mesh_.magSf().primitiveField();
+
+    forAll(neighbour, facei)
     {
-        const label own = mesh_.owner()[facei];
-        const label other = mesh_.neighbour()[facei];
         const scalar a = ownPart_[facei];
         const scalar rWay =
-            mesh_.magSf()[facei]*normalWay_[facei]
-           *(a*r[own] + (1 - a)*r[other]);
-        R[own] += a*rWay*sqr(ownNormal_[facei]);
-        R[other] += (1 - a)*rWay*sqr(neighbourNormal_[facei]);
+            magS[facei]*normalWay_[facei]*rf[facei];
+        R[owner[facei]] += a*rWay*sqr(ownNormal_[facei]);
+        R[neighbour[facei]] +=
+            (1 - a)*rWay*sqr(neighbourNormal_[facei]);
     }
-    forAll(r.boundaryField(), patchi)
+    forAll(rf.boundaryField(), patchi)
     {
-        const fvPatchScalarField& rb = r.boundaryField()[patchi];
-        if (!open_[patchi])
-        {
-            continue;
-        }
-        const scalarField& a = ownPart_.boundaryField()[patchi];
-        scalarField rWay(rb.patchInternalField());
-        if (rb.coupled())
-        {
-            rWay = a*rWay + (1 - a)*rb.patchNeighbourField();
-        }
-        rWay *= a*rb.patch().magSf()*normalWay_.boundaryField()[patchi];
-        forAll(rWay, i)
-        {
-            R[rb.patch().faceCells()[i]] +=
-                rWay[i]*sqr(ownNormal_[rb.patch().start() + i]);
-        }
+        addResistance(R, patchi, rf.boundaryField()[patchi]);
     }
     R /= mesh_.V();
+    return tR;
+}
+
+
+Foam::tmp<Foam::symmTensorField> Foam::faceMean::wallResistance
+(
+    const volScalarField& r
+) const
+{
+    tmp<symmTensorField> tR(new symmTensorField(mesh_.nCells(), Zero));
+    forAll(open_, patchi)
+    {
+        if (!open_[patchi])
+        {
+            addResistance
+            (
+                tR.ref(),
+                patchi,
+                r.boundaryField()[patchi].patchInternalField()
+            );
+        }
+    }
+    tR.ref() /= mesh_.V();
     return tR;
 }
 
@@ -391,16 +466,20 @@ Foam::tmp<Foam::vectorField> Foam::faceMean::seen(const vectorField& u) const
     vectorField& seen = tseen.ref();
     const label nInternal = mesh_.nInternalFaces();
 
-    forAll(mesh_.neighbour(), facei)
+    const labelUList& owner = mesh_.owner();
+    const labelUList& neighbour = mesh_.neighbour();
+    const scalarField& magS = mesh_.magSf().primitiveField();
+
+    forAll(neighbour, facei)
     {
-        const label own = mesh_.owner()[facei];
-        const label other = mesh_.neighbour()[facei];
+        const label own = owner[facei];
+        const label other = neighbour[facei];
         const scalar a = ownPart_[facei];
         const vector& mOwn = ownNormal_[facei];
         const vector& mOther = neighbourNormal_[facei];
         const vector through
         (
-            mesh_.magSf()[facei]*normalWay_[facei]
+            magS[facei]*normalWay_[facei]
            *(
                 a*(mOwn & u[own])*mOwn
               + (1 - a)*(mOther & u[other])*mOther
@@ -453,13 +532,8 @@ Foam::tmp<Foam::vectorField> Foam::faceMean::seen(const vectorField& u) const
 
 Foam::tmp<Foam::vectorField> Foam::faceMean::seen(const volVectorField& U) const
 {
-    List<vectorField> boundaryValues(U.boundaryField().size());
-    forAll(boundaryValues, patchi)
-    {
-        boundaryValues[patchi] = U.boundaryField()[patchi];
-    }
     tmp<vectorField> tseen(seen(U.primitiveField()));
-    addBoundary(tseen.ref(), boundaryValues);
+    addBoundary(tseen.ref(), U);
     tseen.ref() += lack_ & U.primitiveField();
     return tseen;
 }

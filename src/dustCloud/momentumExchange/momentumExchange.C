@@ -87,6 +87,13 @@ Foam::momentumExchange::momentumExchange
         mesh,
         dimensionedScalar(dimForce/dimArea, Zero)
     ),
+    onFaces_
+    (
+        IOobject("dustResistanceOnFaces", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedScalar(dimDensity/dimTime, Zero)
+    ),
+    toParticles_(mesh.nCells(), Zero),
     throughFaces_(mesh.nCells(), Zero),
     implicitness_(mesh.nCells(), 1),
     imbalance_(0)
@@ -191,7 +198,9 @@ void Foam::momentumExchange::close(const scalar dt, const scalarField& gasMass)
 void Foam::momentumExchange::act()
 {
     alongFaces_ = faces_.along(force_);
-    throughFaces_ = faces_.resistance(resistance_);
+    onFaces_ = faces_.onFaces(resistance_);
+    toParticles_ = faces_.resistance(onFaces_);
+    throughFaces_ = toParticles_ + faces_.wallResistance(resistance_);
 }
 
 
@@ -207,7 +216,7 @@ Foam::tmp<Foam::vectorField> Foam::momentumExchange::correction
 
     givenByGas_ = sum
     (
-        Vdt*((throughFaces_ & change) - force_.primitiveField())
+        Vdt*((toParticles_ & change) - force_.primitiveField())
     );
     exchanged_ += sum(Vdt*resistance_.primitiveField()*mag(U));
 

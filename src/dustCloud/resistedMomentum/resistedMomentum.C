@@ -24,15 +24,43 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::solverPerformance Foam::resistedMomentum::solveComponent
+Foam::tmp<Foam::vectorField> Foam::resistedMomentum::right
+(
+    const vectorField& f
+) const
+{
+    const scalarField& V = U_.mesh().V();
+    const vectorField& U = U_.primitiveField();
+    const vectorField& UOld = U_.oldTime().primitiveField();
+    tmp<vectorField> tright(new vectorField(source()));
+    vectorField& right = tright.ref();
+
+    forAll(V, celli)
+    {
+        const symmTensor& R = resistance_[celli];
+        const vector diagonal(R.xx(), R.yy(), R.zz());
+        right[celli] += V[celli]
+           *(
+                f[celli]
+              + (R & (UOld[celli] - U[celli]))
+              + cmptMultiply(diagonal, U[celli])
+            );
+    }
+    addBoundarySource(right);
+    return tright;
+}
+
+
+template<class Use>
+void Foam::resistedMomentum::withComponent
 (
     const direction cmpt,
-    const vectorField& source,
-    const dictionary& controls
+    const vectorField& right,
+    const Use& use
 )
 {
     scalarField UCmpt(U_.primitiveField().component(cmpt));
-    scalarField sourceCmpt(source.component(cmpt));
+    scalarField rightCmpt(right.component(cmpt));
     const FieldField<Field, scalar> boundary(boundaryCoeffs().component(cmpt));
     const FieldField<Field, scalar> internal(internalCoeffs().component(cmpt));
     const lduInterfaceFieldPtrsList interfaces
@@ -42,12 +70,16 @@ Foam::solverPerformance Foam::resistedMomentum::solveComponent
 
     const scalarField without(diag());
     addBoundaryDiag(diag(), cmpt);
-    diag() += resistance_.component(cmpt);
+    const direction onDiagonal[] =
+        {symmTensor::XX, symmTensor::YY, symmTensor::ZZ};
+    diag() +=
+        U_.mesh().V()
+       *resistance_.primitiveField().component(onDiagonal[cmpt]);
 
-    // What coupled boundaries have put into source is implicit from here on:
+    // What coupled boundaries have put into the right is implicit from here on:
     // as fvMatrix::solveSegregated
     {
-        PrecisionAdaptor<solveScalar, scalar> result(sourceCmpt);
+        PrecisionAdaptor<solveScalar, scalar> result(rightCmpt);
         const ConstPrecisionAdaptor<solveScalar, scalar> psi(UCmpt);
         #if OPENFOAM >= 2306
         const label startRequest = UPstream::nRequests();
@@ -64,22 +96,59 @@ Foam::solverPerformance Foam::resistedMomentum::solveComponent
             #endif
         );
     }
+    use(UCmpt, rightCmpt, boundary, internal, interfaces);
+    diag() = without;
+}
 
-    const solverPerformance performance
+
+Foam::solverPerformance Foam::resistedMomentum::solveComponent
+(
+    const direction cmpt,
+    const vectorField& right,
+    const dictionary& controls
+)
+{
+    solverPerformance performance
     (
-        lduMatrix::solver::New
-        (
-            U_.name() + vector::componentNames[cmpt],
-            *this,
-            boundary,
-            internal,
-            interfaces,
-            controls
-        )->solve(UCmpt, sourceCmpt, cmpt)
+        controls.get<word>("solver"),
+        U_.name() + vector::componentNames[cmpt]
     );
 
-    U_.primitiveFieldRef().replace(cmpt, UCmpt);
-    diag() = without;
+    withComponent
+    (
+        cmpt,
+        right,
+        [&]
+        (
+            scalarField& U,
+            const scalarField& b,
+            const FieldField<Field, scalar>& boundary,
+            const FieldField<Field, scalar>& internal,
+            const lduInterfaceFieldPtrsList& interfaces
+        )
+        {
+            // A residual of round-off is none: OpenFOAM takes it over how far
+            // U is from its mean, and of an even flow its solvers would go on
+            // with noise, to 0/0
+            const scalar left = gSumMag
+            (
+                lduMatrix::residual(U, b, boundary, interfaces, cmpt)()
+            );
+            if (left > 1e-15*gSumMag(scalarField(diag()*U)))
+            {
+                performance = lduMatrix::solver::New
+                (
+                    performance.fieldName(),
+                    *this,
+                    boundary,
+                    internal,
+                    interfaces,
+                    controls
+                )->solve(U, b, cmpt);
+            }
+            U_.primitiveFieldRef().replace(cmpt, U);
+        }
+    );
     return performance;
 }
 
@@ -90,52 +159,70 @@ Foam::resistedMomentum::resistedMomentum
 (
     const fvVectorMatrix& eqn,
     volVectorField& U,
-    const volSymmTensorField& R,
-    const vectorField& f
+    const volSymmTensorField& R
 )
 :
     fvVectorMatrix(eqn),
     U_(U),
-    resistance_(U.size())
-{
-    const scalarField& V = U.mesh().V();
-    const vectorField& UOld = U.oldTime().primitiveField();
-
-    forAll(V, celli)
-    {
-        const symmTensor& RP = R[celli];
-        const vector diagonal(RP.xx(), RP.yy(), RP.zz());
-        resistance_[celli] = V[celli]*diagonal;
-        source()[celli] += V[celli]
-           *(
-                f[celli]
-              + (RP & (UOld[celli] - U[celli]))
-              + cmptMultiply(diagonal, U[celli])
-            );
-    }
-}
+    resistance_(R)
+{}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::resistedMomentum::solve()
+void Foam::resistedMomentum::solve(const vectorField& f, const scalar relTol)
 {
-    const dictionary& controls = solverDict();
+    dictionary controls(solverDict());
+    controls.set
+    (
+        "relTol",
+        max(relTol, controls.lookupOrDefault<scalar>("relTol", 0))
+    );
     const auto valid = U_.mesh().validComponents<vector>();
+    const vectorField right(this->right(f));
 
-    vectorField source(this->source());
-    addBoundarySource(source);
-
-    solverPerformance performance;
     for (direction cmpt = 0; cmpt < vector::nComponents; ++cmpt)
     {
         if (valid[cmpt] != -1)
         {
-            performance = solveComponent(cmpt, source, controls);
-            performance.print(Info.masterStream(U_.mesh().comm()));
+            solveComponent(cmpt, right, controls).print
+            (
+                Info.masterStream(U_.mesh().comm())
+            );
         }
     }
     U_.correctBoundaryConditions();
+}
+
+
+Foam::vector Foam::resistedMomentum::unbalanced(const vectorField& f)
+{
+    const vectorField right(this->right(f));
+    vector sum(Zero);
+
+    for (direction cmpt = 0; cmpt < vector::nComponents; ++cmpt)
+    {
+        withComponent
+        (
+            cmpt,
+            right,
+            [&]
+            (
+                const scalarField& U,
+                const scalarField& b,
+                const FieldField<Field, scalar>& boundary,
+                const FieldField<Field, scalar>&,
+                const lduInterfaceFieldPtrsList& interfaces
+            )
+            {
+                sum[cmpt] = gSum
+                (
+                    lduMatrix::residual(U, b, boundary, interfaces, cmpt)()
+                );
+            }
+        );
+    }
+    return sum;
 }
 
 

@@ -123,6 +123,44 @@ TEST(gasExchange, aClusterRespondsWithItsWholeMass)
 }
 
 
+TEST(gasExchange, lightGasBearsLessOfWhatPullsAClusterApart)
+{
+    // gas that pulls the members of a pair in opposite directions, and along
+    const Law law = scene::stickyLaw();
+    const double r = 1e-6, m = law.mass(r), dt = 1e-5;
+    const double Sp[2] = {30*m/dt, 10*m/dt};
+    const Vec3 gas[2] = {Vec3(-1e-3, 2e-3, 0), Vec3(1e-3, 2e-3, 0)};
+    const Vec3 weight(0, 0, -10*m);
+    Vec3 given[2][2];
+    for (int light = 0; light < 2; ++light)
+    {
+        const auto system = systemOf(law, 1);
+        system->add(sphere(law, 1, r, Vec3::Zero(), Vec3(0.005, 0, 0)));
+        system->add(sphere(law, 2, r, Vec3(2.0005*r, 0, 0)));
+        for (int step = 0; step < 400; ++step)
+        {
+            for (std::size_t i = 0; i < 2; ++i)
+            {
+                dem::GasLoad g = wind(Sp[i], gas[i]);
+                g.Su = weight;
+                // the lightest gas about any of them counts
+                g.apart = light && i == 0 ? 0.1 : 1;
+                system->setGasLoad(i, g);
+            }
+            system->advance(dt);
+        }
+        EXPECT_TRUE(system->inContact(0) && system->inContact(1));
+        for (std::size_t i = 0; i < 2; ++i) given[light][i] = system->gasExchange(i).impulse;
+    }
+    const double scale = given[0][0].norm();
+    EXPECT_TRUE(near(given[1][0] + given[1][1], given[0][0] + given[0][1], 1e-9*scale));
+    const Vec3 drag[2] = {given[0][0] - dt*weight, given[0][1] - dt*weight};
+    const Vec3 beside = drag[0] - 0.75*(drag[0] + drag[1]);
+    EXPECT_GT(beside.norm(), 0.5*scale);
+    EXPECT_TRUE(near(given[1][0] - given[0][0], -0.9*beside, 1e-6*scale));
+}
+
+
 TEST(gasExchange, aKickIsMomentumAndWorkOfTheGas)
 {
     const Law law;

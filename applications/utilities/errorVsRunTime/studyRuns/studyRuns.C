@@ -22,6 +22,7 @@ License
 
 #include "studyRuns.H"
 
+#include "csvTable.H"
 #include "entryText.H"
 
 #include "dictionary.H"
@@ -59,15 +60,6 @@ const char* const dictionaryFile = "system/errorVsRunTimeDict";
 constexpr int precision = 12;
 
 
-//- The whole text is a number
-bool number(const std::string& text, double& value)
-{
-    char* end;
-    value = std::strtod(text.c_str(), &end);
-    return !text.empty() && !*end;
-}
-
-
 std::string contents(const fs::path& file)
 {
     std::ifstream is(file, std::ios::binary);
@@ -87,155 +79,13 @@ bool begins(const std::string& text, const char* with)
 bool leftOut(const fs::path& path)
 {
     const std::string name(path.filename());
-    double time;
+    Foam::scalar time;
     return
         name == root || name == "postProcessing" || name == "VTK"
      || name == "dynamicCode" || begins(name, "processor")
      || begins(name, "log.") || begins(name, ".") || begins(name, "README")
      || path.extension() == ".png"
-     || (number(name, time) && time != 0);
-}
-
-
-std::vector<std::string> fields(const std::string& line)
-{
-    std::vector<std::string> all;
-    std::istringstream is(line);
-    for (std::string field; std::getline(is, field, ',');)
-    {
-        all.push_back(field);
-    }
-    return all;
-}
-
-
-//- Equal as text or as numbers
-bool same(const std::string& a, const std::string& b)
-{
-    double x, y;
-    return a == b || (number(a, x) && number(b, y) && x == y);
-}
-
-
-//- What is wrong with a CSV file
-struct csvError
-{
-    std::string reason;
-};
-
-
-double valueOf
-(
-    const Foam::studySettings::quantity& q,
-    const fs::path& directory
-)
-{
-    std::ifstream is(directory/q.file);
-    std::string line;
-    if (!is || !std::getline(is, line))
-    {
-        throw csvError{"there is no " + q.file};
-    }
-    const std::vector<std::string> header(fields(line));
-    const auto column = [&](const std::string& name)
-    {
-        const auto found = std::find(header.begin(), header.end(), name);
-        if (found == header.end())
-        {
-            throw csvError
-            {
-                "there is no column " + name + " in " + q.file + ": " + line
-            };
-        }
-        return std::size_t(found - header.begin());
-    };
-
-    const std::size_t wanted = column(q.column);
-    std::vector<std::size_t> weights, where;
-    for (const Foam::word& w : q.weights)
-    {
-        weights.push_back(column(w));
-    }
-    for (const auto& w : q.where)
-    {
-        where.push_back(column(w.first));
-    }
-
-    std::vector<std::vector<std::string>> rows;
-    while (std::getline(is, line))
-    {
-        rows.push_back(fields(line));
-        if (rows.back().size() != header.size())
-        {
-            throw csvError{"in " + q.file + " this is no whole row: " + line};
-        }
-    }
-
-    double first = 0, last = 0, sum = 0, weight = 0, least = 0, most = 0;
-    std::size_t n = 0;
-    for (const auto& row : rows)
-    {
-        bool wantsIt = true;
-        for (std::size_t k = 0; k < where.size(); ++k)
-        {
-            const std::string& value = q.where[k].second;
-            wantsIt =
-                wantsIt
-             && same
-                (
-                    row[where[k]],
-                    value == "last" ? rows.back()[where[k]] : value
-                );
-        }
-        if (!wantsIt)
-        {
-            continue;
-        }
-
-        const auto cell = [&](const std::size_t k)
-        {
-            double value;
-            if (!number(row[k], value) || !std::isfinite(value))
-            {
-                throw csvError
-                {
-                    "in " + q.file + " column " + header[k] + " is '" + row[k]
-                  + "', not a finite number"
-                };
-            }
-            return value;
-        };
-        last = cell(wanted);
-        double w = 1;
-        for (const std::size_t k : weights)
-        {
-            w *= cell(k);
-        }
-        if (!n)
-        {
-            first = least = most = last;
-        }
-        least = std::min(least, last);
-        most = std::max(most, last);
-        sum += w*last;
-        weight += w;
-        ++n;
-    }
-
-    if (q.take == "sum")
-    {
-        return sum;
-    }
-    if (!n || (q.take == "mean" && !(weight > 0)))
-    {
-        throw csvError{"no row of " + q.file + " is what " + q.name + " wants"};
-    }
-    return
-        q.take == "first" ? first
-      : q.take == "last" ? last
-      : q.take == "min" ? least
-      : q.take == "max" ? most
-      : sum/weight;
+     || (Foam::csvTable::number(name, time) && time != 0);
 }
 
 
@@ -384,6 +234,31 @@ void Foam::studyRuns::makeCase(const run& r) const
 }
 
 
+std::vector<Foam::studyRuns::stage> Foam::studyRuns::stages() const
+{
+    std::vector<stage> all;
+    if (!settings_.prepare().empty())
+    {
+        all.push_back({"log.prepare", settings_.prepare()});
+    }
+    if (settings_.ranks() > 1)
+    {
+        all.push_back({"log.decomposePar", "decomposePar -force -copyUniform"});
+        all.push_back
+        ({
+            "log.command",
+            "mpirun -np " + std::to_string(settings_.ranks()) + ' '
+          + settings_.command() + " -parallel"
+        });
+    }
+    else
+    {
+        all.push_back({"log.command", settings_.command()});
+    }
+    return all;
+}
+
+
 pid_t Foam::studyRuns::start
 (
     const std::string& directory,
@@ -439,10 +314,10 @@ bool Foam::studyRuns::readResults(run& r) const
     {
         for (const auto& q : settings_.quantities())
         {
-            r.results.push_back(valueOf(q, r.directory));
+            r.results.push_back(csvTable(r.directory, q.file).valueOf(q));
         }
     }
-    catch (const csvError& e)
+    catch (const csvTable::error& e)
     {
         r.failure = e.reason;
         return false;
@@ -457,8 +332,12 @@ void Foam::studyRuns::removeFields(const std::string& directory)
     for (const auto& item : fs::directory_iterator(directory))
     {
         const std::string name(item.path().filename());
-        double time;
-        if (item.is_directory() && (begins(name, "processor") || number(name, time)))
+        scalar time;
+        if
+        (
+            item.is_directory()
+         && (begins(name, "processor") || csvTable::number(name, time))
+        )
         {
             all.push_back(item.path());
         }
@@ -467,6 +346,24 @@ void Foam::studyRuns::removeFields(const std::string& directory)
     {
         fs::remove_all(path);
     }
+}
+
+
+void Foam::studyRuns::take(run& r) const
+{
+    r.finished = readResults(r);
+    if (!r.finished)
+    {
+        return;
+    }
+    if (!settings_.keepFields())
+    {
+        removeFields(r.directory);
+    }
+    std::ofstream os(r.directory + "/finished");
+    os.precision(precision);
+    os  << "checksum \"" << r.checksum << "\";\n"
+        << "cpu_s " << r.cpu << ";\n";
 }
 
 
@@ -587,37 +484,17 @@ void Foam::studyRuns::execute()
     Info<< label(runs_.size()) << " runs, "
         << label(runs_.size() - toDo_) << " of them finished earlier" << endl;
 
-    struct stage
-    {
-        std::string log;
-        std::string command;
-    };
-    std::vector<stage> stages;
-    if (!settings_.prepare().empty())
-    {
-        stages.push_back({"log.prepare", settings_.prepare()});
-    }
-    if (settings_.ranks() > 1)
-    {
-        stages.push_back({"log.decomposePar", "decomposePar -force -copyUniform"});
-        stages.push_back
-        ({
-            "log.command",
-            "mpirun -np " + std::to_string(settings_.ranks()) + ' '
-          + settings_.command() + " -parallel"
-        });
-    }
-    else
-    {
-        stages.push_back({"log.command", settings_.command()});
-    }
-
     struct process
     {
         run* r;
         std::size_t stage;
     };
+    const std::vector<stage> all(stages());
     std::map<pid_t, process> running;
+    const auto begin = [&](run& r, const std::size_t k)
+    {
+        running[start(r.directory, all[k].command, all[k].log)] = {&r, k};
+    };
     auto next = runs_.begin();
 
     while (true)
@@ -634,8 +511,7 @@ void Foam::studyRuns::execute()
             }
             makeCase(*next);
             next->began = wallClock();
-            running[start(next->directory, stages[0].command, stages[0].log)] =
-                {&*next, 0};
+            begin(*next, 0);
             ++next;
         }
         if (running.empty())
@@ -645,56 +521,40 @@ void Foam::studyRuns::execute()
 
         int status;
         rusage usage;
-        const pid_t pid = wait4(-1, &status, 0, &usage);
-        const auto found = running.find(pid);
+        const auto found = running.find(wait4(-1, &status, 0, &usage));
         if (found == running.end())
         {
             continue;
         }
         const process p = found->second;
         running.erase(found);
-        run& r = *p.r;
-        const stage& s = stages[p.stage];
 
-        if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
+        const bool good = WIFEXITED(status) && WEXITSTATUS(status) == 0;
+        if (good && p.stage + 1 < all.size())
         {
-            r.failure =
-                '\'' + s.command + "' ended with "
+            begin(*p.r, p.stage + 1);
+            continue;
+        }
+        if (good)
+        {
+            p.r->cpu = seconds(usage.ru_utime) + seconds(usage.ru_stime);
+            take(*p.r);
+        }
+        else
+        {
+            p.r->failure =
+                '\'' + all[p.stage].command + "' ended with "
               + (
                     WIFEXITED(status)
                   ? "exit code " + std::to_string(WEXITSTATUS(status))
                   : "signal " + std::to_string(WTERMSIG(status))
-                )
-              + ", see " + r.directory + '/' + s.log;
-            report(r);
+                );
         }
-        else if (p.stage + 1 < stages.size())
+        if (!p.r->failure.empty())
         {
-            const stage& then = stages[p.stage + 1];
-            running[start(r.directory, then.command, then.log)] =
-                {&r, p.stage + 1};
+            p.r->failure += ", see " + p.r->directory + '/' + all[p.stage].log;
         }
-        else
-        {
-            r.cpu = seconds(usage.ru_utime) + seconds(usage.ru_stime);
-            r.finished = readResults(r);
-            if (r.finished)
-            {
-                if (!settings_.keepFields())
-                {
-                    removeFields(r.directory);
-                }
-                std::ofstream os(r.directory + "/finished");
-                os.precision(precision);
-                os  << "checksum \"" << r.checksum << "\";\n"
-                    << "cpu_s " << r.cpu << ";\n";
-            }
-            else
-            {
-                r.failure += ", see " + r.directory + '/' + s.log;
-            }
-            report(r);
-        }
+        report(*p.r);
     }
 }
 
