@@ -71,6 +71,11 @@ static scalar chooseRatio
     const dem::MaterialTable table = properties.table();
     const int dust = table.index(properties.dustMaterial());
     slipLoads::addParticles(cloud, diameters);
+    if (diameters[2] > 0)
+    {
+        // the largest fits least
+        dem::checkCurvature(walls, 0.5*diameters[2], -1);
+    }
     loads.reset(new slipLoads(cloud, diameters, density));
     advice = dem::adviseRatio
     (
@@ -493,14 +498,14 @@ Foam::dustCloud::dustCloud
         patchWalls::New(mesh_, particleProperties_, d.properties.table())
     );
 
-    const scalar wanted = chooseRatio
-    (
-        *this, d.properties, d.advice, d.loads, d.diameters, density_, walls,
-        outputProperties_
-    );
-
+    scalar wanted = 1;
     try
     {
+        wanted = chooseRatio
+        (
+            *this, d.properties, d.advice, d.loads, d.diameters, density_,
+            walls, outputProperties_
+        );
         d.system.reset
         (
             new dem::System
@@ -516,11 +521,6 @@ Foam::dustCloud::dustCloud
         if (d.periodic.on())
         {
             d.system->setPeriodic(d.periodic);
-        }
-        if (d.diameters[2] > 0)
-        {
-            // the largest fits least
-            dem::checkCurvature(d.system->walls(), 0.5*d.diameters[2], -1);
         }
     }
     catch (const dem::inputError& e)
