@@ -114,10 +114,10 @@ int main(int argc, char *argv[])
     #include "createFields.H"
     #include "checkCase.H"
 
-    #include "dryRun.H"
-
     if (dust.gasFrozen())
     {
+        #include "dryRun.H"
+
         Info<< "Starting time loop, gas frozen" << nl << endl;
 
         while (runTime.run())
@@ -131,6 +131,7 @@ int main(int argc, char *argv[])
     else
     {
         #include "createGas.H"
+        #include "dryRun.H"
 
         Info<< "Starting time loop" << nl << endl;
 

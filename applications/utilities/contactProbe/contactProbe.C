@@ -624,7 +624,7 @@ int main(int argc, char *argv[])
         if (!dust.softening().scaleSurfaceEnergy)
         {
             Info<< nl << "reducedStiffness/surfaceEnergy unchanged: sticking and"
-                << " rebound depend on chi; the advice is for `scaled`" << nl;
+                << " rebound depend on chi" << nl;
         }
 
         for (const pairSeries& series : all)

@@ -86,12 +86,20 @@ static scalar chooseRatio
         properties.limits()
     );
 
-    const scalar stored = stiffening::stored(outputProperties);
-    const scalar wanted =
+    const scalar stored = stiffening::stored(outputProperties, properties);
+    scalar wanted =
         stored > 0 && stiffening::asBefore(outputProperties, properties) ? stored
       : !properties.automaticRatio() ? properties.softening().ratio
       : diameters[2] > 0 ? advice.chi
       : 1;
+    const auto& limits = properties.limits();
+    if (limits.stiffen && wanted < limits.ratio)
+    {
+        Info<< "chi " << wanted << " is raised to " << limits.ratio
+            << ", the softest of reducedStiffness/limits/ratio: onViolation is"
+            << " stiffen" << endl;
+        wanted = limits.ratio;
+    }
     properties.setRatio(stored > 0 ? stored : wanted);
     return wanted;
 }
@@ -487,6 +495,7 @@ Foam::dustCloud::dustCloud
         }
     }
     readParcels();
+    findAgain();
     readSizes();
 
     if (d.properties.automaticRatio())
@@ -539,9 +548,9 @@ Foam::dustCloud::dustCloud
     decideCoupling();
 
     readWalls();
-    findAgain();
     addArrivals();
     closeWalls();
+    d.changes.setFirst(d.properties.softening().ratio);
     if (wanted != d.properties.softening().ratio)
     {
         d.properties.setRatio(wanted);
@@ -551,7 +560,6 @@ Foam::dustCloud::dustCloud
             "reducedStiffness/ratio is another one", d.totals.energy
         );
     }
-    d.changes.setFirst(wanted);
     prepareInsertion();
     prepareExchange();
 

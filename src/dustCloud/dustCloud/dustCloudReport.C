@@ -97,20 +97,24 @@ void Foam::dustCloud::printMaterials() const
 
     if (largest <= 0)
     {
-        Info<< nl << "Contacts: diameters are not known yet, no table" << endl;
+        Info<< nl << "Contacts: diameters are not known yet, no table; chi "
+            << chi << endl;
         return;
     }
 
     const scalar speed = max(d.gasSpeed, VSMALL);
+    const char* chosen =
+        !d.properties.automaticRatio() ? ""
+      : mag(chi - d.advice.chi) > 1e-9*chi ? " (auto: kept from the run before)"
+      : d.advice.reached() ? " (auto: the softest that keeps to the limits)"
+      : " (auto: no chi keeps to all limits)";
 
     Info<< nl << formatted
         (
             "Contacts at %.3g m/s (the fastest gas), chi %.3g%s",
             speed,
             chi,
-            d.properties.automaticRatio()
-          ? " (auto: the softest that keeps to the limits)"
-          : ""
+            chosen
         ).c_str() << nl << formatted
         (
             "  %-16s %9s %10s %10s %9s %9s %9s %9s %9s %9s %9s %9s",
@@ -190,6 +194,12 @@ void Foam::dustCloud::printMaterials() const
         d.loads->slip()
     );
     advice += d.advice.text();
+    if (!d.advice.find("pullOffOverForce"))
+    {
+        advice +=
+            "    pullOffOverForce is not looked at here: nothing pulls at the "
+            "start, or nothing adheres\n";
+    }
     for (const dem::RatioNeed& need : d.advice.needs)
     {
         if (chi < need.chi*(1 - 1e-9) && need.chi <= 1)
@@ -461,21 +471,25 @@ void Foam::dustCloud::checkLimits()
     const Time& time = mesh_.time();
     string violation;
 
-    // Margin
+    // Margin: counted as it was; whether it is enough when chi is raised
+    // decides
 
     scalar smallest = GREAT;
     findMargins(*d.system, smallest, d.medianMargin);
     const scalar overlap =
         returnReduce(d.gasStep.maxOverlapOverDiameter, maxOp<scalar>());
+    d.smallestMargin = min(d.smallestMargin, smallest);
+    if (smallest < limits.pullOffOverForce)
+    {
+        ++d.marginSteps;
+    }
     d.changes.raise
     (
         *this, d.parcels, *d.system, limits, smallest, overlap, d.totals.energy
     );
-    d.smallestMargin = min(d.smallestMargin, smallest);
 
     if (smallest < limits.pullOffOverForce)
     {
-        ++d.marginSteps;
         violation = formatted
         (
             "a bonded particle's pull-off force is %.3g times the force on "

@@ -222,7 +222,8 @@ void Foam::dustCloud::printVerdict
                  : std::string("-")
                ).c_str()
             << "), overlap in " << d.overlapSteps << ", chi "
-            << (d.ratioBelowLimit ? "below" : "within") << " its limit";
+            << (d.ratioBelowLimit ? "below" : "within") << " its limit"
+            << (d.properties.limits().stiffen ? ", then stiffened" : "");
     }
     const label followers = label(summary.work.followerTouches);
     if (followers && !d.dispersion)

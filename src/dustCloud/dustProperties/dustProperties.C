@@ -20,6 +20,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "dustProperties.H"
+#include "formatted.H"
 #include "dustKeywords.H"
 #include "Switch.H"
 #include "stringOps.H"
@@ -347,9 +348,17 @@ Foam::dustProperties::dustProperties(const dictionary& dict)
 Foam::string Foam::dustProperties::askedRatio() const
 {
     const dictionary& dict = dict_.subOrEmptyDict("reducedStiffness");
-    return
-        automaticRatio_ ? string("auto")
-      : Foam::name(dict.lookupOrDefault<scalar>("ratio", 1));
+    if (!automaticRatio_)
+    {
+        return Foam::name(dict.lookupOrDefault<scalar>("ratio", 1));
+    }
+    return formatted
+    (
+        "auto for pullOffOverForce %.6g, loadFactor %.6g, overlap %.6g, "
+        "ratio %.6g",
+        limits_.pullOffOverForce, limits_.loadFactor, limits_.overlap,
+        limits_.ratio
+    );
 }
 
 

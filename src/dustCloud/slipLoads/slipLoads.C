@@ -51,7 +51,7 @@ void Foam::slipLoads::findSpeeds(const dustCloud& cloud)
     const volVectorField& U = cloud.U();
 
     add(U, Zero);
-    gasSpeed_ = speed_ = slip_;
+    speed_ = slip_;
     const dictionary& injectors =
         cloud.subModelProperties().subDict("injectionModels");
     for (const entry& e : injectors)
@@ -73,7 +73,6 @@ void Foam::slipLoads::findSpeeds(const dustCloud& cloud)
         slip_ = max(slip_, max(mag(p.U()), mag(U[p.cell()] - p.U())));
     }
 
-    reduce(gasSpeed_, maxOp<scalar>());
     reduce(slip_, maxOp<scalar>());
     reduce(speed_, maxOp<scalar>());
 }
@@ -131,7 +130,6 @@ Foam::slipLoads::slipLoads
     const scalar density
 )
 :
-    gasSpeed_(0),
     slip_(0),
     speed_(0)
 {
@@ -148,9 +146,10 @@ Foam::slipLoads::slipLoads
             load.radius = 0.5*d;
             load.mass = density*constant::mathematical::pi/6*pow3(d);
             const scalar Sp = drag(cloud, d, density);
-            load.force =
-                Sp*slip_ + (heavy ? load.mass*mag(cloud.g().value()) : 0);
-            load.speed = speed_;
+            const scalar weight = heavy ? load.mass*mag(cloud.g().value()) : 0;
+            load.force = Sp*slip_ + weight;
+            // As it falls in still air, if that is faster
+            load.speed = max(speed_, Sp > 0 ? weight/Sp : 0);
             load.relaxationTime = Sp > 0 ? load.mass/Sp : 0;
             loads_.push_back(load);
         }
@@ -183,7 +182,10 @@ void Foam::slipLoads::addParticles
     if (largest > 0)
     {
         diameters[0] = smallest;
-        diameters[1] = diameters[1] > 0 ? diameters[1] : sum/n;
+        // Of equal sizes that size, not what their sum on some ranks makes of it
+        diameters[1] =
+            diameters[1] > 0 ? diameters[1]
+          : min(max(sum/n, smallest), largest);
         diameters[2] = largest;
     }
 }

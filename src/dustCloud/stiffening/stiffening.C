@@ -52,9 +52,36 @@ void Foam::stiffening::takePlaces
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::scalar Foam::stiffening::stored(const dictionary& output)
+Foam::scalar Foam::stiffening::stored
+(
+    const dictionary& output,
+    const dustProperties& properties
+)
 {
-    return output.subOrEmptyDict("ledger").lookupOrDefault<scalar>("chi", -1);
+    const dictionary* ledgerPtr = output.findDict("ledger");
+    if (!ledgerPtr)
+    {
+        return -1;
+    }
+    if (!ledgerPtr->found("chi"))
+    {
+        if (properties.automaticRatio())
+        {
+            FatalIOErrorInFunction(*ledgerPtr)
+                << "keyword 'chi' is missing: this time was written before chi"
+                << " was kept. Give reducedStiffness/ratio the chi that the log"
+                << " of that run prints, instead of auto" << exit(FatalIOError);
+        }
+        return -1;
+    }
+    const scalar chi = ledgerPtr->get<scalar>("chi");
+    if (!(chi > 0 && chi <= 1))
+    {
+        FatalIOErrorInFunction(*ledgerPtr)
+            << "keyword 'chi' is " << chi << ", allowed is above 0, at most 1"
+            << exit(FatalIOError);
+    }
+    return chi;
 }
 
 
