@@ -131,7 +131,6 @@ int main(int argc, char *argv[])
     else
     {
         #include "createGas.H"
-        #include "dryRun.H"
 
         Info<< "Starting time loop" << nl << endl;
 

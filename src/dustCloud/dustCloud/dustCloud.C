@@ -27,7 +27,6 @@ License
 #include "runForecast.H"
 #include "untrapped.H"
 
-#include "distributionModel.H"
 #include "IStringStream.H"
 #include "GlobalIOField.H"
 #include "wallPolyPatch.H"
@@ -47,64 +46,6 @@ namespace Foam
 {
     defineTypeNameAndDebug(dustCloud, 0);
 }
-
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-
-//- Set chi to what the contacts of a restart have, else to what it is to be;
-//  returns the latter
-static scalar chooseRatio
-(
-    const dustCloud& cloud,
-    dustProperties& properties,
-    dem::RatioAdvice& advice,
-    autoPtr<slipLoads>& loads,
-    FixedList<scalar, 3>& diameters,
-    const scalar density,
-    const dem::Walls& walls,
-    const dictionary& outputProperties
-)
-{
-    const dem::MaterialTable table = properties.table();
-    const int dust = table.index(properties.dustMaterial());
-    slipLoads::addParticles(cloud, diameters);
-    if (diameters[2] > 0)
-    {
-        // the largest fits least
-        dem::checkCurvature(walls, 0.5*diameters[2], -1);
-    }
-    loads.reset(new slipLoads(cloud, diameters, density));
-    advice = dem::adviseRatio
-    (
-        table,
-        dust,
-        dem::ratioPartners(table, dust, walls),
-        loads->loads(),
-        properties.limits()
-    );
-
-    const scalar stored = stiffening::stored(outputProperties, properties);
-    scalar wanted =
-        stored > 0 && stiffening::asBefore(outputProperties, properties) ? stored
-      : !properties.automaticRatio() ? properties.softening().ratio
-      : diameters[2] > 0 ? advice.chi
-      : 1;
-    const auto& limits = properties.limits();
-    if (limits.stiffen && wanted < limits.ratio)
-    {
-        Info<< "chi " << wanted << " is raised to " << limits.ratio
-            << ", the softest of reducedStiffness/limits/ratio: onViolation is"
-            << " stiffen" << endl;
-        wanted = limits.ratio;
-    }
-    properties.setRatio(stored > 0 ? stored : wanted);
-    return wanted;
-}
-
-} // End namespace Foam
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -260,66 +201,6 @@ void Foam::dustCloud::addArrival(dustParcel& p)
         FatalErrorInFunction << "Particle " << p.origProc() << ':'
             << p.origId() << " at " << p.x() << ", diameter " << p.d()
             << " m, cannot be added: " << e.what() << exit(FatalError);
-    }
-}
-
-
-void Foam::dustCloud::addArrivals()
-{
-    DynamicList<dustParcel*> arrivals;
-    for
-    (
-        auto iter = IDLList<dustParcel>::rbegin();
-        iter.good() && iter().demIndex() < 0;
-        ++iter
-    )
-    {
-        arrivals.append(&iter());
-    }
-    for (label i = arrivals.size() - 1; i >= 0; --i)
-    {
-        addArrival(*arrivals[i]);
-    }
-}
-
-
-void Foam::dustCloud::readSizes()
-{
-    demData& d = *dem_;
-    label n = 0;
-
-    for (const entry& e : subModelProperties_.subDict("injectionModels"))
-    {
-        if (!e.isDict() || !e.dict().found("sizeDistribution"))
-        {
-            continue;
-        }
-        Random random(0);
-        const autoPtr<distributionModel> sizes
-        (
-            distributionModel::New
-            (
-                e.dict().subDict("sizeDistribution"),
-                random
-            )
-        );
-
-        d.diameters[0] =
-            n ? min(d.diameters[0], sizes->minValue()) : sizes->minValue();
-        d.diameters[1] = (n*d.diameters[1] + sizes->meanValue())/(n + 1);
-        d.diameters[2] = max(d.diameters[2], sizes->maxValue());
-        ++n;
-
-        // The mean cube by samples: no model tells it
-        const label nSamples = 1000;
-        scalar d3 = 0;
-        for (label i = 0; i < nSamples; ++i)
-        {
-            d3 += pow3(sizes->sample())/nSamples;
-        }
-        d.massFlow +=
-            e.dict().lookupOrDefault<scalar>("parcelsPerSecond", 0)
-           *density_*constant::mathematical::pi/6*d3;
     }
 }
 
@@ -510,7 +391,7 @@ Foam::dustCloud::dustCloud
     scalar wanted = 1;
     try
     {
-        wanted = chooseRatio
+        wanted = stiffening::choose
         (
             *this, d.properties, d.advice, d.loads, d.diameters, density_,
             walls, outputProperties_

@@ -23,6 +23,7 @@ License
 #include "dustPatchInjection.H"
 #include "modelTable.H"
 
+#include "distributionModel.H"
 #include "OStringStream.H"
 #include "InjectionModelList.H"
 #include "DispersionModel.H"
@@ -476,6 +477,66 @@ Foam::label Foam::dustCloud::seed(const label a, const label b, const label c)
         h ^= h >> 31;
     }
     return label(h & 0x7fffffff);
+}
+
+
+void Foam::dustCloud::addArrivals()
+{
+    DynamicList<dustParcel*> arrivals;
+    for
+    (
+        auto iter = IDLList<dustParcel>::rbegin();
+        iter.good() && iter().demIndex() < 0;
+        ++iter
+    )
+    {
+        arrivals.append(&iter());
+    }
+    for (label i = arrivals.size() - 1; i >= 0; --i)
+    {
+        addArrival(*arrivals[i]);
+    }
+}
+
+
+void Foam::dustCloud::readSizes()
+{
+    demData& d = *dem_;
+    label n = 0;
+
+    for (const entry& e : subModelProperties_.subDict("injectionModels"))
+    {
+        if (!e.isDict() || !e.dict().found("sizeDistribution"))
+        {
+            continue;
+        }
+        Random random(0);
+        const autoPtr<distributionModel> sizes
+        (
+            distributionModel::New
+            (
+                e.dict().subDict("sizeDistribution"),
+                random
+            )
+        );
+
+        d.diameters[0] =
+            n ? min(d.diameters[0], sizes->minValue()) : sizes->minValue();
+        d.diameters[1] = (n*d.diameters[1] + sizes->meanValue())/(n + 1);
+        d.diameters[2] = max(d.diameters[2], sizes->maxValue());
+        ++n;
+
+        // The mean cube by samples: no model tells it
+        const label nSamples = 1000;
+        scalar d3 = 0;
+        for (label i = 0; i < nSamples; ++i)
+        {
+            d3 += pow3(sizes->sample())/nSamples;
+        }
+        d.massFlow +=
+            e.dict().lookupOrDefault<scalar>("parcelsPerSecond", 0)
+           *density_*constant::mathematical::pi/6*d3;
+    }
 }
 
 

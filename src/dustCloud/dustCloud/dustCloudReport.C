@@ -33,7 +33,6 @@ License
 #include "StochasticCollisionModel.H"
 #include "SurfaceFilmModel.H"
 
-#include <algorithm>
 #include <map>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -47,36 +46,6 @@ static std::string duration(const scalar seconds)
         seconds < 100 ? formatted("%.0f s", seconds)
       : seconds < 6000 ? formatted("%.1f min", seconds/60)
       : formatted("%.1f h", seconds/3600);
-}
-
-
-//- Value below which a share of the sorted values lies
-static scalar percentile(const std::vector<double>& sorted, const scalar share)
-{
-    const auto n = sorted.size();
-    return sorted[std::min(n - 1, std::size_t(share*scalar(n)))];
-}
-
-
-//- Smallest and median margin of all ranks, GREAT where nothing holds.
-//  Collective.
-static void findMargins
-(
-    const dem::System& system,
-    scalar& smallest,
-    scalar& median
-)
-{
-    std::vector<double> margins(system.adhesionMargins());
-    smallest = median = GREAT;
-    if (Pstream::master() && margins.size())
-    {
-        std::sort(margins.begin(), margins.end());
-        smallest = margins.front();
-        median = percentile(margins, 0.5);
-    }
-    Pstream::scatter(smallest);
-    Pstream::scatter(median);
 }
 
 } // End namespace Foam
@@ -186,6 +155,15 @@ void Foam::dustCloud::printMaterials() const
             }
         }
     }
+
+    printAdvice();
+}
+
+
+void Foam::dustCloud::printAdvice() const
+{
+    demData& d = *dem_;
+    const scalar chi = d.system->materials().softening().ratio;
 
     string advice = formatted
     (
@@ -461,111 +439,6 @@ void Foam::dustCloud::printPlan() const
         formatted("%d ranks", Pstream::parRun() ? Pstream::nProcs() : 1)
     );
     Info<< endl;
-}
-
-
-void Foam::dustCloud::checkLimits()
-{
-    demData& d = *dem_;
-    const dustProperties::limitSettings& limits = d.properties.limits();
-    const Time& time = mesh_.time();
-    string violation;
-
-    // Margin: counted as it was; whether it is enough when chi is raised
-    // decides
-
-    scalar smallest = GREAT;
-    findMargins(*d.system, smallest, d.medianMargin);
-    const scalar overlap =
-        returnReduce(d.gasStep.maxOverlapOverDiameter, maxOp<scalar>());
-    d.smallestMargin = min(d.smallestMargin, smallest);
-    if (smallest < limits.pullOffOverForce)
-    {
-        ++d.marginSteps;
-    }
-    d.changes.raise
-    (
-        *this, d.parcels, *d.system, limits, smallest, overlap, d.totals.energy
-    );
-
-    if (smallest < limits.pullOffOverForce)
-    {
-        violation = formatted
-        (
-            "a bonded particle's pull-off force is %.3g times the force on "
-            "what it carries, limit %.3g",
-            smallest,
-            limits.pullOffOverForce
-        );
-        if (!d.warnedMargin)
-        {
-            d.warnedMargin = true;
-            WarningInFunction
-                << "Time " << time.timeName() << ": " << violation.c_str()
-                << ". "
-                << (
-                       d.system->materials().softening().ratio < 1
-                     ? "Stiffer particles (reducedStiffness ratio) hold better."
-                     : "No chi reaches the limit: this is the real strength."
-                   )
-                << " Said once; the summary counts." << endl;
-        }
-    }
-
-    // Overlap: what has been, raised or not
-
-    if (overlap > limits.overlap)
-    {
-        ++d.overlapSteps;
-        if (!d.warnedOverlap || limits.stop)
-        {
-            const string text = formatted
-            (
-                "largest overlap %.3g of a diameter, limit %.3g",
-                overlap,
-                limits.overlap
-            );
-            violation += (violation.empty() ? "" : "; ") + text;
-
-            if (!d.warnedOverlap)
-            {
-                d.warnedOverlap = true;
-                WarningInFunction
-                    << "Time " << time.timeName() << ": " << text.c_str()
-                    << ". Said once." << endl;
-            }
-        }
-    }
-
-    // Coupling
-
-    if (!twoWay_ && d.coupling == "auto" && !d.warnedLoading)
-    {
-        const scalar loading =
-            returnReduce(massInSystem(), sumOp<scalar>())
-           /gSum(rho_.primitiveField()*mesh_.V().field());
-
-        if (loading > d.massLoadingLimit)
-        {
-            d.warnedLoading = true;
-            WarningInFunction
-                << "Time " << time.timeName() << ": mass loading " << loading
-                << " exceeds couplingMassLoading " << d.massLoadingLimit
-                << ", but the run began one-way. Restart with coupling twoWay"
-                << " and gas solved if it matters. Said once." << endl;
-        }
-    }
-
-    if (limits.stop && !violation.empty())
-    {
-        // A restart from here with other settings must be possible
-        const_cast<Time&>(time).writeNow();
-
-        FatalErrorInFunction
-            << "Time " << time.timeName() << ": " << violation.c_str()
-            << ", and reducedStiffness/limits/onViolation is stop."
-            << " The state has been written." << exit(FatalError);
-    }
 }
 
 

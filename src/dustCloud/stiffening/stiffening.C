@@ -109,6 +109,55 @@ void Foam::stiffening::store
 }
 
 
+Foam::scalar Foam::stiffening::choose
+(
+    const dustCloud& cloud,
+    dustProperties& properties,
+    dem::RatioAdvice& advice,
+    autoPtr<slipLoads>& loads,
+    FixedList<scalar, 3>& diameters,
+    const scalar density,
+    const dem::Walls& walls,
+    const dictionary& outputProperties
+)
+{
+    const dem::MaterialTable table = properties.table();
+    const int dust = table.index(properties.dustMaterial());
+    slipLoads::addParticles(cloud, diameters);
+    if (diameters[2] > 0)
+    {
+        // the largest fits least
+        dem::checkCurvature(walls, 0.5*diameters[2], -1);
+    }
+    loads.reset(new slipLoads(cloud, diameters, density));
+    advice = dem::adviseRatio
+    (
+        table,
+        dust,
+        dem::ratioPartners(table, dust, walls),
+        loads->loads(),
+        properties.limits()
+    );
+
+    const scalar stored = stored(outputProperties, properties);
+    scalar wanted =
+        stored > 0 && asBefore(outputProperties, properties) ? stored
+      : !properties.automaticRatio() ? properties.softening().ratio
+      : diameters[2] > 0 ? advice.chi
+      : 1;
+    const auto& limits = properties.limits();
+    if (limits.stiffen && wanted < limits.ratio)
+    {
+        Info<< "chi " << wanted << " is raised to " << limits.ratio
+            << ", the softest of reducedStiffness/limits/ratio: onViolation is"
+            << " stiffen" << endl;
+        wanted = limits.ratio;
+    }
+    properties.setRatio(stored > 0 ? stored : wanted);
+    return wanted;
+}
+
+
 void Foam::stiffening::change
 (
     dustCloud& cloud,
