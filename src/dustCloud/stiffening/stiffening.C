@@ -23,6 +23,7 @@ License
 #include "awakeParcels.H"
 #include "dustCloud.H"
 #include "formatted.H"
+#include "slipLoads.H"
 
 #include "InjectionModelList.H"
 #include "DispersionModel.H"
