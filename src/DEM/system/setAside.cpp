@@ -23,6 +23,7 @@ double square(const Vectors& v)
 }
 
 
+//- All who have a contact, and where they go to
 class Places
 {
 public:

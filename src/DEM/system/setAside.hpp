@@ -6,8 +6,8 @@
 // before it put it: exact where contacts make trees. A cluster that flies follows them from any of
 // its particles if it is a tree, else its guess is to stay. What is then still missing is made as
 // small as it can be in the sum of its squares over all contacts (Gauss-Newton, each step by
-// conjugate gradients): 0 where all can be met, else shared by all who stand in each other's way. So
-// it does not depend on ids, but by round-off. The centre of mass of what flies stays.
+// conjugate gradients): 0 where all can be met, else shared by all who stand in each other's way.
+// So it does not depend on ids, but by round-off. The centre of mass of what flies stays.
 // Proof: tests/unit/DEM/stiffening.cpp
 #pragma once
 
