@@ -42,7 +42,8 @@ struct Meeting
 };
 
 
-//- Deepest overlap of an undamped impact [m]: where the contact has done the work m v^2/2
+//- Deepest overlap of an undamped impact [m]: where the contact has done the work m v^2/2. At any
+//  speed deeper than the equilibrium, through which it falls
 double deepestOverlap(const Meeting& meeting, const ContactFigures& f)
 {
     constexpr int steps = 4000;     // over the deepest that it may be
@@ -117,9 +118,7 @@ public:
         if (!m.law().elastic()) return;
 
         const PairConstants real = m.constants();
-        const double a0 = m.law().equilibriumRadius(m.pair(), real, f.R);
-        const double overlap =
-            std::max(a0*a0/(3*f.R), deepestOverlap(m, f))/m.diameter();
+        const double overlap = deepestOverlap(m, f)/m.diameter();
         add("overlap", overlap/limits.overlap, overlap, limits.overlap, m, exponent_);
 
         const TaborRange range = m.law().taborRange();

@@ -12,10 +12,11 @@
 //
 // F: force on one particle at the largest slip of the case, F_C: real pull-off force, f (loadFactor):
 // how many times F a bond has to carry, because chains hang on it and the gas speeds up between
-// deposits; delta: real equilibrium overlap or, if larger, the deepest one of an impact at that
-// speed without damping; d: diameter of the smaller; L: largest Tabor number of the law (none for
-// JKR, whose number only grows as it is softened); t: real contact time of that impact without
-// adhesion; tau: relaxation time m/Sp at that slip.
+// deposits; delta: real overlap where an impact at that speed without damping is deepest, without
+// speed that of the fall into contact (0.6215 a0^2/R of JKR, 2.5^(2/3) a0^2/R of DMT: deeper than
+// equilibrium); d: diameter of the smaller; L: largest Tabor number of the law (none for JKR, whose
+// number only grows as it is softened); t: real contact time of that impact without adhesion;
+// tau: relaxation time m/Sp at that slip.
 // With surfaceEnergy `unchanged` pull-off forces stay, and what adhesion brings about grows faster,
 // at most as chi^(-2/3): (..)^(3/2) instead.
 // Source: Haervig et al. 2017; Chen, Liu & Li 2019, eq. 17.

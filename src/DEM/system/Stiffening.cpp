@@ -3,16 +3,22 @@
 
 #include "contactModels/contactModel/ContactLaw.hpp"
 #include "foundation/Fields.hpp"
+#include "neighbourSearch/BoxGrid.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
+#include <utility>
 
 namespace dem
 {
 
 namespace
 {
+
+// So much of an overlap may be missing [-] without waking those at rest: 0.001 F_C at equilibrium
+constexpr double met = 1e-3;
 
 //- Overlap [m] on the branch that a load can hold at which the law gives a force [N]; none: there
 //  is none. start: of about the right size [m]; least: the contact has ended below that
@@ -84,14 +90,55 @@ std::vector<Stiffening::Contact> Stiffening::find() const
           ? Vec3(periodic_.nearest(j->x - p.x).normalized())
           : Vec3(record.n[0], record.n[1], record.n[2]);
         c.before = c.after = diagnostics.overlap(i, record, j);
+        c.awake = !store_.rest[i].resting;
         result.push_back(c);
     });
+
+    // one that is awake is enough, whichever of the two has the contact
+    const std::unordered_set<std::int64_t> awake = awakePartners(result);
+    for (Contact& c : result) c.awake = c.awake || (!c.wall && awake.count(c.j.id) > 0);
     return result;
 }
 
 
-//- Find the overlap that it should have; whether it keeps its force
-bool Stiffening::aim(Contact& c, const MaterialTable& now) const
+//- Those with whom contacts of this rank are, and who are awake, also on other ranks
+std::unordered_set<std::int64_t> Stiffening::awakePartners
+(
+    const std::vector<Contact>& contacts
+) const
+{
+    std::unordered_set<std::int64_t> result;
+    std::vector<double> elsewhere;
+    const auto awake = [&](std::int64_t id)
+    {
+        const auto found = store_.indexOf.find(id);
+        return found != store_.indexOf.end() && !store_.rest[found->second].resting;
+    };
+    for (const Contact& c : contacts)
+    {
+        if (c.wall) continue;
+        if (awake(c.j.id)) result.insert(c.j.id);
+        else if (!store_.indexOf.count(c.j.id)) elsewhere.push_back(double(c.j.id));
+    }
+    std::vector<std::vector<double>> answers;
+    for (const std::vector<double>& from : communicator_.allGather(elsewhere))
+    {
+        answers.emplace_back();
+        for (const double id : from)
+        {
+            if (awake(std::int64_t(id))) answers.back().push_back(id);
+        }
+    }
+    for (const std::vector<double>& from : communicator_.exchange(answers))
+    {
+        for (const double id : from) result.insert(std::int64_t(id));
+    }
+    return result;
+}
+
+
+//- Find the overlap that it should have, and whether it keeps its force
+void Stiffening::aim(Contact& c, const MaterialTable& now) const
 {
     const int material = store_.particles[c.i].material;
     const int pair = materials_.pairInLaw(material, c.materialJ);
@@ -105,19 +152,33 @@ bool Stiffening::aim(Contact& c, const MaterialTable& now) const
 
     const NormalResponse<double> was = l.normalResponse(cb, c.before, history);
     const double a0 = l.equilibriumRadius(pair, after, c.R);
-    const double size = a0 > 0 ? a0*a0/(3*c.R) : std::fabs(c.before);
-    const double further = l.normalResponse(cb, c.before + 1e-4*size, history).elastic;
-    const bool rests = store_.rest[c.i].resting;
-    const bool collides = !rests && was.elastic > l.pullOff(pair, before, c.R);
+    c.size = a0 > 0 ? a0*a0/(3*c.R) : std::fabs(c.before);
+    const double further = l.normalResponse(cb, c.before + 1e-4*c.size, history).elastic;
+    const bool collides = c.awake && was.elastic > l.pullOff(pair, before, c.R);
+    if (was.radius > 0 && further >= was.elastic && !collides)
+    {
+        const std::optional<double> found = overlapFor
+        (
+            l, ca, was.elastic, c.size, -l.reach(pair, after, c.R)
+        );
+        c.similar = !found;
+        if (found) c.after = *found;
+    }
+    if (!c.similar) return;
 
-    c.after = c.before*std::pow(before.chi/after.chi, 0.4);
-    if (!(was.radius > 0) || further < was.elastic || collides) return false;
-    const std::optional<double> found = overlapFor
-    (
-        l, ca, was.elastic, size, -l.reach(pair, after, c.R)
-    );
-    if (found) c.after = *found;
-    return found.has_value();
+    const double touch = l.touchDistance(pair, before);
+    double factor = std::pow(before.chi/after.chi, 0.4);
+    if (touch > 0 && !(was.radius > 0)) factor = l.touchDistance(pair, after)/touch;
+    else if (a0 > 0) factor = std::pow(a0/l.equilibriumRadius(pair, before, c.R), 2);
+    c.after = c.before*factor;
+}
+
+
+Gap Stiffening::gap(const Contact& c) const
+{
+    const Particle& p = store_.particles[c.i];
+    const double distance = p.radius + c.j.radius - c.before;
+    return {p.id, c.wall ? -1 : c.j.id, c.n, distance, c.before - c.after, p.mass, c.j.mass};
 }
 
 
@@ -152,113 +213,14 @@ ContactEnergy Stiffening::energy
 }
 
 
-//- Where contacts close rings: set right in turn until all agree
-void Stiffening::agree(const std::vector<Gap>& gaps, Ways& ways)
-{
-    constexpr int sweeps = 200;
-    double widest = 0;
-    for (const Gap& g : gaps) widest = std::max(widest, std::fabs(g.open));
-    for (int k = 0; k < sweeps; ++k)
-    {
-        double worst = 0;
-        for (const Gap& g : gaps)
-        {
-            Vec3& wi = ways[g.i];
-            const double open = g.j < 0 ? -wi.dot(g.n) : (ways[g.j] - wi).dot(g.n);
-            const double missing = g.open - open;
-            worst = std::max(worst, std::fabs(missing));
-            if (g.j < 0) wi -= missing*g.n;
-            else
-            {
-                wi -= 0.5*missing*g.n;
-                ways[g.j] += 0.5*missing*g.n;
-            }
-        }
-        if (worst <= 1e-9*widest) break;
-    }
-}
-
-
-//- From walls (where there is none, from the lowest id) along contacts each particle follows the
-//  one before
-Stiffening::Ways Stiffening::solve(std::vector<Gap> gaps)
-{
-    std::stable_sort(gaps.begin(), gaps.end(), [](const Gap& a, const Gap& b)
-    {
-        return a.i < b.i || (a.i == b.i && a.j < b.j);
-    });
-    Ways ways;
-    std::unordered_map<std::int64_t, std::vector<const Gap*>> of;
-    std::vector<std::int64_t> order, ids;
-    const auto reach = [&](std::int64_t id, const Vec3& way)
-    {
-        if (ways.emplace(id, way).second) order.push_back(id);
-    };
-    for (const Gap& g : gaps)
-    {
-        if (g.j < 0) reach(g.i, -g.open*g.n);
-        else
-        {
-            of[g.i].push_back(&g);
-            of[g.j].push_back(&g);
-        }
-        ids.push_back(g.i);
-    }
-    const auto grow = [&](std::size_t first)
-    {
-        for (std::size_t k = first; k < order.size(); ++k)
-        {
-            const std::int64_t id = order[k];
-            const Vec3 way = ways[id];
-            for (const Gap* g : of[id])
-            {
-                if (g->i == id) reach(g->j, way + g->open*g->n);
-                else reach(g->i, way - g->open*g->n);
-            }
-        }
-    };
-    grow(0);
-    std::vector<std::size_t> flying;    // where in order each cluster without a wall begins
-    for (const std::int64_t id : ids)
-    {
-        if (ways.count(id)) continue;
-        flying.push_back(order.size());
-        reach(id, Vec3::Zero());
-        grow(flying.back());
-    }
-
-    agree(gaps, ways);
-
-    // the centre of mass of what flies stays
-    std::unordered_map<std::int64_t, double> mass;
-    for (const Gap& g : gaps)
-    {
-        mass[g.i] = g.mi;
-        if (g.j >= 0) mass[g.j] = g.mj;
-    }
-    flying.push_back(order.size());
-    for (std::size_t f = 0; f + 1 < flying.size(); ++f)
-    {
-        Vec3 sum = Vec3::Zero();
-        double total = 0;
-        for (std::size_t k = flying[f]; k < flying[f + 1]; ++k)
-        {
-            sum += mass[order[k]]*ways[order[k]];
-            total += mass[order[k]];
-        }
-        for (std::size_t k = flying[f]; k < flying[f + 1]; ++k) ways[order[k]] -= sum/total;
-    }
-    return ways;
-}
-
-
-//- Springs and energies
-void Stiffening::takeOver
+//- Springs and energies. Returned: particles of all ranks whose overlaps are not as they should be
+std::unordered_set<std::int64_t> Stiffening::takeOver
 (
     const std::vector<Contact>& contacts, const Ways& ways, const MaterialTable& now,
     Restiffened& r
 )
 {
+    std::vector<double> wake;
     for (const Contact& c : contacts)
     {
         double* history = store_.contacts[c.i][c.k].history;
@@ -269,26 +231,41 @@ void Stiffening::takeOver
         {
             const double old = before.springs[s].stiffness, stiff = aimed.springs[s].stiffness;
             factors[s] = old > 0 && stiff > 0 ? old/stiff : 1;
+            if (c.similar) factors[s] = std::sqrt(factors[s]);
         }
         law(c).scaleSprings(factors, history);
 
-        const Vec3 wi = ways.at(store_.particles[c.i].id);
-        const double open = (c.wall ? Vec3(-wi) : Vec3(ways.at(c.j.id) - wi)).dot(c.n);
-        const double overlap = c.before - open;
+        const Gap g = gap(c);
+        const double overlap = c.before - opened(g, ways.at(g.i), c.wall ? c.n : ways.at(g.j));
         const ContactEnergy after = energy(c, now, overlap, history);
         r.normal += after.normal.stored - before.normal.stored;
         r.springs += after.inSprings() - before.inSprings();
-        r.misfit = std::max
-        (
-            r.misfit, std::fabs(overlap - c.after)/std::max(std::fabs(c.after), 1e-300)
-        );
+        const double off =
+            std::fabs(overlap - c.after)/std::max({std::fabs(c.after), c.size, 1e-300});
+        r.misfit = std::max(r.misfit, off);
+        if (off > met)
+        {
+            wake.push_back(double(store_.particles[c.i].id));
+            wake.push_back(double(c.j.id));
+        }
         ++r.contacts;
+        r.similar += c.similar;
     }
+    std::unordered_set<std::int64_t> result;
+    for (const std::vector<double>& from : communicator_.allGather(wake))
+    {
+        for (const double id : from) result.insert(std::int64_t(id));
+    }
+    return result;
 }
 
 
 //- Particles to their places, and what else depends on chi
-void Stiffening::move(const Ways& ways, const MaterialTable& now, Restiffened& r)
+void Stiffening::move
+(
+    const Ways& ways, const std::unordered_set<std::int64_t>& wake, const MaterialTable& now,
+    Restiffened& r
+)
 {
     for (std::size_t i = 0; i < store_.size(); ++i)
     {
@@ -310,8 +287,88 @@ void Stiffening::move(const Ways& ways, const MaterialTable& now, Restiffened& r
             rest.wakeForce *= std::min(factor, 1.0);
         }
         // of a rigid body, arms and contact forces are known as they were
-        if (store_.flies(i)) rest.wakeForce = -1;
+        const bool wakes = rest.resting && wake.count(p.id) > 0;
+        if (wakes || store_.flies(i)) rest.wakeForce = -1;
+        r.woken += wakes;
         store_.changed(i);
+    }
+}
+
+
+//- Deepest overlap of particle i at x with walls that it has no contact with [m]; 0: none
+double Stiffening::unheldOverlap(std::size_t i, const Vec3& x) const
+{
+    const Particle& p = store_.particles[i];
+    std::vector<WallHit> hits;
+    std::vector<int> surfaces;
+    const double range = (p.radius + store_.reach[i])*(1 + 1e-6);
+    walls_.query(x.array() - range, x.array() + range, surfaces);
+    walls_.hits(x, range, surfaces.data(), surfaces.size(), hits);
+    for (const ContactRecord& c : store_.contacts[i])
+    {
+        const Vec3 normal(c.n[0], c.n[1], c.n[2]);
+        auto held = hits.end();
+        for (auto h = hits.begin(); h != hits.end(); ++h)
+        {
+            if (h->patch != c.wall) continue;
+            if (held == hits.end() || h->n.dot(normal) > held->n.dot(normal)) held = h;
+        }
+        if (held != hits.end()) hits.erase(held);
+    }
+    double deepest = 0;
+    for (const WallHit& h : hits) deepest = std::max(deepest, p.radius - h.distance);
+    return deepest;
+}
+
+
+//- Those who came to touch others by being set aside
+void Stiffening::lookAround
+(
+    const std::vector<Gap>& gaps, const Ways& ways, Restiffened& r
+) const
+{
+    const auto way = [&](std::int64_t id)
+    {
+        const auto found = ways.find(id);
+        return found == ways.end() ? Vec3(Vec3::Zero()) : found->second;
+    };
+    const auto note = [&](std::int64_t i, std::int64_t j, double was, double is, double radius)
+    {
+        // those who are set aside together overlap as before
+        if (!(is > 0 && is - was > 1e-9*radius)) return;
+        r.add(is/(2*radius), i, j);
+    };
+    std::set<std::pair<std::int64_t, std::int64_t>> touching;
+    for (const Gap& g : gaps) touching.insert(std::minmax(g.i, g.j));
+
+    std::vector<double> packed;
+    std::vector<Box> boxes;
+    for (std::size_t i = 0; i < store_.size(); ++i)
+    {
+        const Particle& p = store_.particles[i];
+        boxes.push_back({p.x.array() - p.radius, p.x.array() + p.radius});
+        if (!ways.count(p.id)) continue;
+        pack(p, packed);
+        const double was = unheldOverlap(i, p.x - way(p.id));
+        note(p.id, -1, was, unheldOverlap(i, p.x), p.radius);
+    }
+    const BoxGrid grid(boxes, periodic_);
+    for (const std::vector<double>& from : communicator_.allGather(packed))
+    {
+        for (const Particle& q : unpackAll<Particle>(from))
+        {
+            if (boxes.empty()) break;
+            grid.overlapping({q.x.array() - q.radius, q.x.array() + q.radius}, [&](int k)
+            {
+                const Particle& p = store_.particles[std::size_t(k)];
+                const auto pair = std::minmax(p.id, q.id);
+                if (p.id == q.id || touching.count(pair)) return;
+                const Vec3 d = periodic_.nearest(q.x - p.x);
+                const double sum = p.radius + q.radius;
+                const double was = sum - (d - way(q.id) + way(p.id)).norm();
+                note(pair.first, pair.second, was, sum - d.norm(), std::min(p.radius, q.radius));
+            });
+        }
     }
 }
 
@@ -322,7 +379,7 @@ Restiffened Stiffening::ofAllRanks(const Restiffened& mine) const
     for (const std::vector<double>& v : communicator_.allGather
     ({
         double(mine.contacts), double(mine.similar), mine.normal, mine.springs, mine.farthest,
-        mine.misfit
+        mine.misfit, double(mine.woken), mine.newOverlap, double(mine.newI), double(mine.newJ)
     }))
     {
         all.contacts += std::int64_t(v[0]);
@@ -331,6 +388,8 @@ Restiffened Stiffening::ofAllRanks(const Restiffened& mine) const
         all.springs += v[3];
         all.farthest = std::max(all.farthest, v[4]);
         all.misfit = std::max(all.misfit, v[5]);
+        all.woken += std::int64_t(v[6]);
+        all.add(v[7], std::int64_t(v[8]), std::int64_t(v[9]));
     }
     return all;
 }
@@ -345,18 +404,17 @@ Restiffened Stiffening::to(double chi)
     std::vector<double> packed;
     for (Contact& c : contacts)
     {
-        if (!aim(c, now)) ++mine.similar;
-        const Particle& p = store_.particles[c.i];
-        pack(Gap{p.id, c.wall ? -1 : c.j.id, c.n, c.before - c.after, p.mass, c.j.mass}, packed);
+        aim(c, now);
+        pack(gap(c), packed);
     }
     std::vector<Gap> gaps;
     for (const std::vector<double>& from : communicator_.allGather(packed))
     {
         for (const Gap& g : unpackAll<Gap>(from)) gaps.push_back(g);
     }
-    const Ways ways = solve(std::move(gaps));
-    takeOver(contacts, ways, now, mine);
-    move(ways, now, mine);
+    const Ways ways = setAside(gaps);
+    move(ways, takeOver(contacts, ways, now, mine), now, mine);
+    lookAround(gaps, ways, mine);
     materials_ = std::move(now);
     return ofAllRanks(mine);
 }

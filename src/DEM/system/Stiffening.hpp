@@ -8,14 +8,21 @@
 // scaled so that sliding force, rolling and twisting moment stay. Particles are set aside, by
 // less than the old overlaps times the number of contacts between them and the wall, until the
 // overlaps are these: exactly where contacts make trees (chains, dendrites), else as closely as
-// they can be (misfit), of which the rest is a force that moves what is awake. Velocities stay;
-// who rests goes on resting. Aggregates that fly as rigid bodies become islands again, and freeze
-// anew if they are at rest inside.
+// they can be (misfit; setAside.hpp), of which the rest is a force: those at rest whose contacts it
+// is in wake. Who is set aside may come to touch others: what energy that puts in is in no ledger,
+// and the deepest such overlap is told (newOverlap).
+// All others who rest go on resting. Velocities stay. Aggregates that fly as rigid bodies become
+// islands again, and freeze anew if they are at rest inside.
 //
-// Contacts for which a force says nothing keep a/a0, i.e. overlaps are scaled by
-// (chi_old/chi_new)^(2/5), by which rebound speeds are what they would have been: those in a
-// collision (awake, pressed by more than F_C), on the branch on which they are about to break, and
-// those that act at a distance.
+// Contacts for which a force says nothing keep a/a0, i.e. overlaps are scaled with a0^2, or without
+// adhesion by (chi_old/chi_new)^(2/5), which is the same where surface energy is scaled, too: those
+// in a collision (one of the two awake, pressed by more than F_C) and on the branch on which they
+// are about to break; those that act at a distance keep the gap over their range. Their springs keep
+// the energy that they have stored, xi ~ k^(-1/2), as the normal force does. So normal and sliding
+// force keep their proportion (both ~ chi^(2/5), a collision without adhesion then differs in time
+// only), a rolling spring, which chi changes nothing of at the same a/a0, is as it was, and what a
+// spring has taken from a motion it gives back. With surfaceEnergy `unchanged` no collision is
+// similar to another, and the normal energy changes.
 //
 // F_C delta_0, and so the energy of contacts at equilibrium, is the same at any chi; what loads add to
 // it changes, and is no work of anybody (EnergyLedger::stiffening).
@@ -28,10 +35,11 @@
 #include "system/Diagnostics.hpp"
 #include "system/ParticleStore.hpp"
 #include "system/Restiffened.hpp"
+#include "system/setAside.hpp"
 #include "walls/WallSearch.hpp"
 
 #include <cstdint>
-#include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 namespace dem
@@ -74,46 +82,32 @@ private:
         double R, m;            // [m], [kg]
         Vec3 n;                 // from i to j
         double before, after;   // overlap as it was, and as it should be [m]
+        double size = 0;        // of overlaps, with the new chi [m]
+        bool awake = false;     // one of the two is
+        bool similar = true;    // keeps a/a0, not its force
     };
-
-    //- What the solution of all ranks needs to know of a contact
-    struct Gap
-    {
-        std::int64_t i, j;      // j = -1: wall
-        Vec3 n;
-        double open;            // to move apart by [m]
-        double mi, mj;          // [kg]
-
-        template<class S, class F>
-        static void fields(S& s, F& f)
-        {
-            f(s.i);
-            f(s.j);
-            f(s.n);
-            f(s.open);
-            f(s.mi);
-            f(s.mj);
-        }
-    };
-
-    //- Where particles go to, by id [m]
-    using Ways = std::unordered_map<std::int64_t, Vec3>;
 
     const ContactLaw& law(const Contact& c) const;
     std::vector<Contact> find() const;
-    bool aim(Contact& c, const MaterialTable& now) const;
+    std::unordered_set<std::int64_t> awakePartners(const std::vector<Contact>& contacts) const;
+    void aim(Contact& c, const MaterialTable& now) const;
     ContactEnergy energy
     (
         const Contact& c, const MaterialTable& table, double overlap, const double* history
     ) const;
-    static Ways solve(std::vector<Gap> gaps);
-    static void agree(const std::vector<Gap>& gaps, Ways& ways);
-    void takeOver
+    Gap gap(const Contact& c) const;
+    std::unordered_set<std::int64_t> takeOver
     (
         const std::vector<Contact>& contacts, const Ways& ways, const MaterialTable& now,
         Restiffened& r
     );
-    void move(const Ways& ways, const MaterialTable& now, Restiffened& r);
+    void move
+    (
+        const Ways& ways, const std::unordered_set<std::int64_t>& wake, const MaterialTable& now,
+        Restiffened& r
+    );
+    double unheldOverlap(std::size_t i, const Vec3& x) const;
+    void lookAround(const std::vector<Gap>& gaps, const Ways& ways, Restiffened& r) const;
     Restiffened ofAllRanks(const Restiffened& mine) const;
 
     ParticleStore& store_;

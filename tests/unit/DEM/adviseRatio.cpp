@@ -129,16 +129,42 @@ TEST(adviseRatio, anUndampedImpactIsAsDeepAsTheLimit)
 }
 
 
-TEST(adviseRatio, atRestTheEquilibriumOverlapCounts)
+//- Without speed: where the energy is that of touch again, below any equilibrium
+TEST(adviseRatio, atRestTheFallIntoContactCounts)
 {
-    Law law;
-    RatioLimits l = none();
-    l.overlap = 0.5;
-    RatioLoad still = load(law, r, 0);
-    still.relaxationTime = 0;
-    const double delta0 = law.contact(r, -1, true).delta0();
-    // the fall into contact goes deeper than that
-    EXPECT_GT(chi(law, wall, still, l), std::pow(delta0/(2*r)/0.5, 2.5)*(1 - 1e-12));
+    // JKR: 0 = (2/5) A^5 - (2/3) A^(7/2) + (1/6) A^2 + (1/10) (2/3)^(4/3)
+    double low = 1, high = 2;
+    for (int k = 0; k < 100; ++k)
+    {
+        const double A = 0.5*(low + high);
+        const double energy =
+            0.4*std::pow(A, 5) - std::pow(A, 3.5)/1.5 + A*A/6 + 0.1*std::pow(1.5, -4.0/3.0);
+        (energy < 0 ? low : high) = A;
+    }
+    const double JKR = low*low - std::sqrt(low)/1.5;
+    EXPECT_TRUE(scene::near(JKR, 0.6215, 1e-4));
+    struct Fall { const char* normal; double depth, equilibrium; };     // [a0^2/R]
+    for (const Fall& fall : {Fall{"JKR", JKR, 1.0/3.0}, Fall{"simplifiedJKR", JKR, 1.0/3.0},
+        Fall{"DMT", std::pow(2.5, 2.0/3.0), 1}})
+    {
+        for (const RatioPartner& partner : {dust, wall})
+        {
+            Law law;
+            law.normal = fall.normal;
+            RatioLimits l = none();
+            l.overlap = 0.5;
+            RatioLoad still = load(law, r, 0);
+            still.relaxationTime = 0;
+            const formula::Contact c = law.contact(r, partner.wall ? -1 : r, true);
+            const double a0 =
+                std::cbrt((fall.equilibrium < 1 ? 9 : 3)*formula::pi*c.gamma*c.R*c.R/c.E);
+            const double share = fall.depth*a0*a0/c.R/(2*r);
+            const RatioAdvice a = dem::adviseRatio(law.table(), 0, {partner}, {still}, l);
+            EXPECT_TRUE(close(a.find("overlap")->real, share, 1e-5)) << fall.normal;
+            EXPECT_TRUE(close(a.find("overlap")->chi, std::pow(share/0.5, 2.5), 3e-5));
+            EXPECT_GT(fall.depth, fall.equilibrium);
+        }
+    }
 }
 
 
