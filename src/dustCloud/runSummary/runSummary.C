@@ -252,6 +252,8 @@ std::vector<Foam::runSummary::row> Foam::runSummary::rows() const
         add("collisions at changes of chi", changes.similar, "-");
         add("energy by changes of chi", changes.normal + changes.springs, "J");
         add("overlap misfit by changes of chi", changes.misfit, "-");
+        add("woken by changes of chi", changes.woken, "-");
+        add("new overlap by changes of chi", changes.newOverlap, "-");
     }
     add("balance closes", closes, "-");
     return all;

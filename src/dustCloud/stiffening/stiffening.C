@@ -180,6 +180,8 @@ void Foam::stiffening::change
     done_.springs += r.springs;
     done_.farthest = max(done_.farthest, r.farthest);
     done_.misfit = max(done_.misfit, r.misfit);
+    done_.woken += r.woken;
+    done_.add(r.newOverlap, r.newI, r.newJ);
 
     // of all ranks, where the ledger adds up theirs
     if (Pstream::master() && cloud.keepsEnergyLedger())
@@ -193,11 +195,24 @@ void Foam::stiffening::change
         (
             "Time %s: chi %.3g -> %.3g, as %s: %.10g contacts go on, %.10g of "
             "them as collisions; stored energy %+.3g J, particles set aside "
-            "by up to %.2g m, overlaps off by up to %.2g of themselves",
+            "by up to %.2g m, overlaps off by up to %.2g of themselves, %.10g "
+            "woken by that",
             cloud.mesh().time().timeName().c_str(), before, chi, reason.c_str(),
             double(r.contacts), double(r.similar),
-            r.normal + r.springs, r.farthest, r.misfit
+            r.normal + r.springs, r.farthest, r.misfit, double(r.woken)
         ).c_str() << endl;
+    if (r.newOverlap > 0)
+    {
+        WarningInFunction
+            << "Longer than it was, what held together meets others: the"
+            << " deepest new overlap is " << r.newOverlap << " of a diameter,"
+            << " of particle " << r.newI << " and "
+            << (
+                   r.newJ < 0 ? std::string("a wall")
+                 : "particle " + std::to_string(r.newJ)
+               ).c_str()
+            << endl;
+    }
 }
 
 
