@@ -140,9 +140,9 @@ Foam::scalar Foam::stiffening::choose
         properties.limits()
     );
 
-    const scalar stored = stored(outputProperties, properties);
+    const scalar before = stored(outputProperties, properties);
     scalar wanted =
-        stored > 0 && asBefore(outputProperties, properties) ? stored
+        before > 0 && asBefore(outputProperties, properties) ? before
       : !properties.automaticRatio() ? properties.softening().ratio
       : diameters[2] > 0 ? advice.chi
       : 1;
@@ -154,7 +154,7 @@ Foam::scalar Foam::stiffening::choose
             << " stiffen" << endl;
         wanted = limits.ratio;
     }
-    properties.setRatio(stored > 0 ? stored : wanted);
+    properties.setRatio(before > 0 ? before : wanted);
     return wanted;
 }
 
