@@ -198,10 +198,15 @@ void Foam::resistedMomentum::solve(const vectorField& f, const scalar relTol)
 Foam::vector Foam::resistedMomentum::unbalanced(const vectorField& f)
 {
     const vectorField right(this->right(f));
+    const auto valid = U_.mesh().validComponents<vector>();
     vector sum(Zero);
 
     for (direction cmpt = 0; cmpt < vector::nComponents; ++cmpt)
     {
+        if (valid[cmpt] == -1)
+        {
+            continue;
+        }
         withComponent
         (
             cmpt,
