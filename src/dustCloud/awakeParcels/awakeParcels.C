@@ -137,6 +137,23 @@ const Foam::UList<Foam::dustParcel*>& Foam::awakeParcels::toLoad
 }
 
 
+const Foam::UList<Foam::dustParcel*>& Foam::awakeParcels::withoutLoad
+(
+    const dem::System& system
+)
+{
+    list_.clear();
+    for (const std::size_t i : system.awake())
+    {
+        if (!parcels_[label(i)]->loadHolds())
+        {
+            list_.append(parcels_[label(i)]);
+        }
+    }
+    return list_;
+}
+
+
 const Foam::UList<Foam::dustParcel*>& Foam::awakeParcels::changed
 (
     const dem::System& system

@@ -427,6 +427,10 @@ Foam::dustCloud::dustCloud
     }
 
     decideCoupling();
+    if (!gasFrozen_)
+    {
+        d.step.end();
+    }
 
     readWalls();
     addArrivals();
@@ -551,6 +555,7 @@ void Foam::dustCloud::evolve(const scalar gasSeconds)
 
     snapshotPtr_.reset();
     escapedInStep_.clear();
+    escapedInStep_.transfer(d.escapedLate);
     #if OPENFOAM >= 2006
     functions_.preEvolve(*tdPtr_);
     #else

@@ -96,11 +96,10 @@ Foam::vector Foam::dustCloud::fluctuation
 (
     dustParcel& p,
     dustParcel::trackingData& td,
-    const scalar dt,
-    const label subStep
+    const scalar dt
 )
 {
-    const label timeIndex = mesh_.time().timeIndex();
+    const label step = dem_->step.number();
     const vector Uc = td.Uc();
 
     // Keyed, so that neither restart nor decomposition matter
@@ -118,8 +117,8 @@ Foam::vector Foam::dustCloud::fluctuation
             {{
                 uint32_t(p.origId()),
                 uint32_t(p.origProc()),
-                uint32_t(timeIndex),
-                uint32_t(subStep)
+                uint32_t(step),
+                0u
             }},
             Uc,
             mass/max(Sp, VSMALL),
@@ -127,7 +126,7 @@ Foam::vector Foam::dustCloud::fluctuation
         );
     }
 
-    rndGen_ = Random(seed(p.origId(), p.origProc(), seed(timeIndex, subStep, 0)));
+    rndGen_ = Random(seed(p.origId(), p.origProc(), step));
     p.calcDispersion(*this, td, dt);
     td.Uc() = Uc;
 

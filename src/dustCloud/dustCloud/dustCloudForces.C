@@ -54,8 +54,7 @@ Foam::vector Foam::dustCloud::setGasLoad
     dustParcel::trackingData& td,
     gasLoads& loads,
     const vector& fluctuation,
-    const vector& owed,
-    const label subStep
+    const vector& owed
 )
 {
     demData& d = *dem_;
@@ -66,12 +65,13 @@ Foam::vector Foam::dustCloud::setGasLoad
      && p.state() != dustParcel::inContact;
 
     p.loaded() = true;
+    p.loadHolds() = true;
     vector kick(Zero);
     dem::GasLoad load;
 
     if (flies && d.brownian)
     {
-        const brownianStep noise(d.brownian->step(p, subStep));
+        const brownianStep noise(d.brownian->step(p, d.step.number()));
         load = loads.flight(fluctuation, &noise);
         kick = loads.kick(noise, load);
     }
@@ -97,7 +97,7 @@ Foam::vector Foam::dustCloud::setGasLoad
 
     if (d.brownian && p.state() == dustParcel::inContact)
     {
-        load.Su += toVec3(loads.contactNoise(d.brownian->step(p, subStep), load));
+        load.Su += toVec3(loads.contactNoise(d.brownian->step(p, d.step.number()), load));
         p.loaded() = false;     // a new one in each step
     }
 
@@ -114,6 +114,85 @@ Foam::vector Foam::dustCloud::setGasLoad
     load.Su += toVec3(owed);
     system.setGasLoad(index, load);
     return kick;
+}
+
+
+void Foam::dustCloud::setGasLoads
+(
+    dustParcel::trackingData& td,
+    const scalar dt,
+    const bool begins
+)
+{
+    demData& d = *dem_;
+
+    // From x itself: the last bits of the tracked position depend on the
+    // decomposition
+    const bool atPoint = isA<cellWall<vector>>(td.UInterp());
+
+    DynamicList<label> drags;
+
+    // Turbulence changes what the gas does to those at rest, too
+    const UList<dustParcel*>& parcels =
+        begins
+      ? d.parcels.toLoad(*d.system, d.dispersion)
+      : d.parcels.withoutLoad(*d.system);
+
+    for (dustParcel* pPtr : parcels)
+    {
+        dustParcel& p = *pPtr;
+        const bool resting = p.state() == dustParcel::resting;
+
+        // At rest in a gas that does not change (one that is solved: within
+        // the gas step): nothing new
+        if (p.loaded() && (resting || !twoWay_) && !d.dispersion)
+        {
+            continue;
+        }
+        if (twoWay_ && resting)
+        {
+            bringUp(p);
+        }
+
+        const tetIndices tets(p.currentTetIndices());
+        td.rhoc() = td.rhoInterp().interpolate(p.coordinates(), tets);
+        td.muc() = td.muInterp().interpolate(p.coordinates(), tets);
+        td.Uc() =
+            atPoint
+          ? td.UInterp().interpolate(p.x(), p.cell())
+          : td.UInterp().interpolate(p.coordinates(), tets);
+        const vector Umean = td.Uc();
+
+        // Of those that enter, what is left of it
+        const scalar flown = min(dt, dt + p.age());
+
+        if (d.dispersion)
+        {
+            td.Uc() += fluctuation(p, td, flown);
+        }
+
+        gasLoads loads(forces_, p, td, flown, drags);
+        const forceSuSp& coupled = loads.coupled();
+        const vector Su = coupled.Su() + loads.nonCoupled().Su();
+
+        if
+        (
+            !dem::isFinite(coupled.Sp()) || !dem::isFinite(toVec3(Su))
+         || !dem::isFinite(toVec3(td.Uc())) || coupled.Sp() < 0
+        )
+        {
+            FatalErrorInFunction
+                << "Impossible gas force on particle " << p.origProc() << ':'
+                << p.origId() << " at " << p.x() << " in cell " << p.cell()
+                << ": Sp " << coupled.Sp() << " kg/s, Su " << Su
+                << " N, gas velocity " << td.Uc() << " m/s"
+                << exit(FatalError);
+        }
+
+        const vector owed = p.owed()/dt;
+        p.kick() = setGasLoad(p, td, loads, td.Uc() - Umean, owed);
+        p.nonCoupled() = loads.nonCoupled().Su() + owed;
+    }
 }
 
 

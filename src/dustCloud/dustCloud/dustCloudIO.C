@@ -22,6 +22,7 @@ License
 #include "dustCloudData.H"
 #include "dustSnapshot.H"
 #include "contactWriter.H"
+#include "loadFiles.H"
 #include "parcelChecksums.H"
 
 #include "indexedOctree.H"
@@ -43,6 +44,7 @@ void Foam::dustCloud::readCounters(const dictionary& ledger)
     ledger.readEntry("refused", refused_.count);
     ledger.readEntry("refusedMass", refused_.mass);
     ledger.readEntry("nextId", nextId_);
+    dem_->step.read(ledger);
 
     for (const entry& e : ledger.subDict("escaped"))
     {
@@ -100,6 +102,7 @@ void Foam::dustCloud::storeCounters()
     ledger.set("refused", refused_.count);
     ledger.set("refusedMass", refused_.mass);
     ledger.set("nextId", nextId_);
+    dem_->step.store(ledger);
     stiffening::store
     (
         ledger,
@@ -139,7 +142,7 @@ void Foam::dustCloud::storeCounters()
     outputProperties_.remove("ledger");
     outputProperties_.add("ledger", ledger);
 
-    dictionary checksums(parcelChecksums::of(*this));
+    dictionary checksums(parcelChecksums::of(*this, dem_->step.underWay()));
     checksums.set("ledger", parcelChecksums::of(outputProperties_));
     dictionary& stored = outputProperties_.subDict("ledger");
     stored.add("checksums", checksums);
@@ -298,6 +301,7 @@ bool Foam::dustCloud::writeObject
     // Writing fills buffers and counters, but changes no physics
     dustCloud& self = const_cast<dustCloud&>(*this);
 
+    self.catchUp();
     self.bringUp();
     for (dustParcel& p : self)
     {
@@ -307,6 +311,7 @@ bool Foam::dustCloud::writeObject
         );
         p.blob().setSize(label(state.size()));
         std::copy(state.begin(), state.end(), p.blob().begin());
+        self.packLoad(p);
     }
 
     // Of a neck, the first 6 digits of a place know nothing
@@ -320,6 +325,10 @@ bool Foam::dustCloud::writeObject
     const bool ok =
         KinematicCloud<Cloud<dustParcel>>::writeObject(fmt, ver, cmp, valid);
     #endif
+    if (dem_->step.underWay())
+    {
+        loadFiles::write(*this);
+    }
 
     self.storeCounters();
     #if OPENFOAM >= 2006

@@ -400,6 +400,9 @@ void Foam::dustCloud::admit
 
     settleStarts(starting);
     addArrivals();
+
+    // They may need a shorter one
+    dem_->step.end();
 }
 
 

@@ -20,9 +20,8 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "dustCloudData.H"
-#include "brownianMotion.H"
-#include "cellWall.H"
-#include "gasLoads.H"
+#include "dustPatchInjection.H"
+#include "dustSnapshot.H"
 #include "parcelTracking.H"
 #include "startCells.H"
 
@@ -52,80 +51,6 @@ static point justInside(const polyMesh& mesh, const point& x, const label celli)
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-void Foam::dustCloud::setGasLoads
-(
-    dustParcel::trackingData& td,
-    const scalar dt,
-    const label subStep
-)
-{
-    demData& d = *dem_;
-
-    // From x itself: the last bits of the tracked position depend on the
-    // decomposition
-    const bool atPoint = isA<cellWall<vector>>(td.UInterp());
-
-    DynamicList<label> drags;
-
-    // Turbulence changes what the gas does to those at rest, too
-    for (dustParcel* pPtr : d.parcels.toLoad(*d.system, d.dispersion))
-    {
-        dustParcel& p = *pPtr;
-        const bool resting = p.state() == dustParcel::resting;
-
-        // At rest in a gas that does not change (one that is solved: within
-        // the gas step): nothing new
-        if (p.loaded() && (resting || !twoWay_) && !d.dispersion)
-        {
-            continue;
-        }
-        if (twoWay_ && resting)
-        {
-            bringUp(p);
-        }
-
-        const tetIndices tets(p.currentTetIndices());
-        td.rhoc() = td.rhoInterp().interpolate(p.coordinates(), tets);
-        td.muc() = td.muInterp().interpolate(p.coordinates(), tets);
-        td.Uc() =
-            atPoint
-          ? td.UInterp().interpolate(p.x(), p.cell())
-          : td.UInterp().interpolate(p.coordinates(), tets);
-        const vector Umean = td.Uc();
-
-        // Of those that enter, what is left of it
-        const scalar flown = min(dt, dt + p.age());
-
-        if (d.dispersion)
-        {
-            td.Uc() += fluctuation(p, td, flown, subStep);
-        }
-
-        gasLoads loads(forces_, p, td, flown, drags);
-        const forceSuSp& coupled = loads.coupled();
-        const vector Su = coupled.Su() + loads.nonCoupled().Su();
-
-        if
-        (
-            !dem::isFinite(coupled.Sp()) || !dem::isFinite(toVec3(Su))
-         || !dem::isFinite(toVec3(td.Uc())) || coupled.Sp() < 0
-        )
-        {
-            FatalErrorInFunction
-                << "Impossible gas force on particle " << p.origProc() << ':'
-                << p.origId() << " at " << p.x() << " in cell " << p.cell()
-                << ": Sp " << coupled.Sp() << " kg/s, Su " << Su
-                << " N, gas velocity " << td.Uc() << " m/s"
-                << exit(FatalError);
-        }
-
-        const vector owed = p.owed()/dt;
-        p.kick() = setGasLoad(p, td, loads, td.Uc() - Umean, owed, subStep);
-        p.nonCoupled() = loads.nonCoupled().Su() + owed;
-    }
-}
-
 
 void Foam::dustCloud::bringUp(dustParcel& p)
 {
@@ -197,12 +122,15 @@ void Foam::dustCloud::takeMotion
         bringUp(p);
 
         vector kick(Zero);
-        if (d.brownian && !system.inContact(index))
+        if (d.brownian && !d.step.underWay())
         {
-            kick = p.mass()*p.kick();
-            system.kick(index, toVec3(kick));
+            if (!system.inContact(index))
+            {
+                kick = p.mass()*p.kick();
+                system.kick(index, toVec3(kick));
+            }
+            p.kick() = Zero;
         }
-        p.kick() = Zero;
 
         if (twoWay_)
         {
@@ -420,15 +348,113 @@ void Foam::dustCloud::settleStarts(const UList<dustParcel*>& starting)
 }
 
 
+bool Foam::dustCloud::mayStayBehind() const
+{
+    if (!gasFrozen_ || functions_.size())
+    {
+        return false;
+    }
+    forAll(injectors_, i)
+    {
+        if (!isA<dustPatchInjection>(injectors_[i]))
+        {
+            return false;
+        }
+    }
+    const Time& time = mesh_.time();
+    return
+        !time.writeTime()
+     && time.value() < time.endTime().value() - 0.5*time.deltaTValue();
+}
+
+
+void Foam::dustCloud::moveOn
+(
+    dustParcel::trackingData& td,
+    const bool stayBehind
+)
+{
+    demData& d = *dem_;
+    const scalar end = mesh_.time().value();
+
+    while (d.now < end)
+    {
+        const scalar left = end - d.now;
+        if (!d.step.underWay())
+        {
+            d.step.begin(nextParticleStep(left));
+        }
+        if (stayBehind && d.step.left() > left)
+        {
+            return;
+        }
+        const bool begins = d.step.begins();
+        d.particleSteps += begins;
+        const scalar whole = d.step.left();
+        const scalar dt = d.step.go(left);
+        d.system->setTime(d.now);
+        insert(dt);
+
+        const stopwatch forcing;
+        setGasLoads(td, whole, begins);
+        d.forceSeconds += forcing.seconds();
+
+        const stopwatch moving;
+        try
+        {
+            d.gasStep.add(d.system->advance(dt));
+        }
+        catch (const dem::numericalError& e)
+        {
+            FatalErrorInFunction
+                << "The DEM system cannot go on: " << e.what()
+                << exit(FatalError);
+        }
+        d.demSeconds += moving.seconds();
+
+        const stopwatch tracking;
+        d.now = dt < left ? d.now + dt : end;
+        const UList<dustParcel*>& moved = d.parcels.changed(*d.system);
+        takeMotion(moved, dt);
+        follow(moved, td, dt);
+        d.trackSeconds += tracking.seconds();
+    }
+}
+
+
+void Foam::dustCloud::catchUp()
+{
+    demData& d = *dem_;
+    if (!gasFrozen_ || !tdPtr_.valid() || d.now >= mesh_.time().value())
+    {
+        return;
+    }
+    const DynamicList<scalar> told(escapedInStep_);
+    escapedInStep_.clear();
+    d.gasStep = dem::StepReport();
+
+    moveOn(*tdPtr_, false);
+
+    d.totals.add(d.gasStep);
+    countEscapes();
+    d.escapedLate.append(escapedInStep_);
+    escapedInStep_ = told;
+    snapshotPtr_.reset();
+}
+
+
 void Foam::dustCloud::motion(dustParcel::trackingData& td)
 {
     demData& d = *dem_;
 
     d.gasStep = dem::StepReport();
 
-    // Not the sum of all steps: a restarted run must have the same time
     const scalar end = mesh_.time().value();
-    d.now = end - solution_.trackTime();
+    if (!gasFrozen_)
+    {
+        // Not the sum of all steps: a restarted run must have the same time
+        d.now = end - solution_.trackTime();
+    }
     if (twoWay_)
     {
         bringUp();
@@ -446,38 +472,7 @@ void Foam::dustCloud::motion(dustParcel::trackingData& td)
         d.insertion->newGas(end);
     }
 
-    for (label subStep = 0; d.now < end; ++subStep)
-    {
-        const scalar left = end - d.now;
-        const scalar dt = nextParticleStep(left);
-        d.system->setTime(d.now);
-        insert(dt);
-
-        const stopwatch forcing;
-        setGasLoads(td, dt, subStep);
-        d.forceSeconds += forcing.seconds();
-
-        const stopwatch moving;
-        try
-        {
-            d.gasStep.add(d.system->advance(dt));
-        }
-        catch (const dem::numericalError& e)
-        {
-            FatalErrorInFunction
-                << "The DEM system cannot go on: " << e.what()
-                << exit(FatalError);
-        }
-        d.demSeconds += moving.seconds();
-        ++d.particleSteps;
-
-        const stopwatch tracking;
-        d.now = dt < left ? d.now + dt : end;
-        const UList<dustParcel*>& moved = d.parcels.changed(*d.system);
-        takeMotion(moved, dt);
-        follow(moved, td, dt);
-        d.trackSeconds += tracking.seconds();
-    }
+    moveOn(td, mayStayBehind());
 
     if (!twoWay_)
     {
@@ -553,30 +548,39 @@ void Foam::dustCloud::leaveRank(dustParcel& p)
     p.blob().setSize(label(state.size()));
     std::copy(state.begin(), state.end(), p.blob().begin());
 
-    const dem::GasLoad& load =
-        dem_->system->gasLoad(std::size_t(p.demIndex()));
-    p.load()[0] = load.Sp;
-    p.load()[1] = load.SpOmega;
-    for (int i = 0; i < 3; ++i)
-    {
-        p.load()[2 + i] = load.Uc[i];
-        p.load()[5 + i] = load.Su[i];
-        p.load()[8 + i] = load.omegaC[i];
-    }
-
+    packLoad(p);
     dem_->parcels.leaves(p);
 }
 
 
-void Foam::dustCloud::unpackLoad(const dustParcel& p)
+void Foam::dustCloud::packLoad(dustParcel& p) const
 {
-    const FixedList<scalar, 11>& v = p.load();
+    const dem::GasLoad& load =
+        dem_->system->gasLoad(std::size_t(p.demIndex()));
+    FixedList<scalar, 14>& v = p.load();
+    v[0] = load.Sp;
+    v[1] = load.SpOmega;
+    for (int i = 0; i < 3; ++i)
+    {
+        v[2 + i] = load.Uc[i];
+        v[5 + i] = load.Su[i];
+        v[8 + i] = load.omegaC[i];
+        v[11 + i] = p.kick()[direction(i)];
+    }
+}
+
+
+void Foam::dustCloud::unpackLoad(dustParcel& p)
+{
+    const FixedList<scalar, 14>& v = p.load();
     dem::GasLoad load;
     load.Sp = v[0];
     load.SpOmega = v[1];
     load.Uc = dem::Vec3(v[2], v[3], v[4]);
     load.Su = dem::Vec3(v[5], v[6], v[7]);
     load.omegaC = dem::Vec3(v[8], v[9], v[10]);
+    p.kick() = vector(v[11], v[12], v[13]);
+    p.loadHolds() = p.loadHolds() && dem_->step.underWay();
     dem_->system->setGasLoad(std::size_t(p.demIndex()), load);
 }
 

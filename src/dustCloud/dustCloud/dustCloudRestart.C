@@ -21,6 +21,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "dustCloudData.H"
+#include "loadFiles.H"
 #include "parcelChecksums.H"
 #include "restartCheck.H"
 
@@ -113,6 +114,10 @@ void Foam::dustCloud::readParcels()
     }
 
     dustParcel::readFields(*this);
+    if (dem_->step.underWay())
+    {
+        loadFiles::read(*this);
+    }
 
     const restartCheck check(*this, density_, nWalls, ledgerPtr);
     if (ledgerPtr)
@@ -162,7 +167,7 @@ void Foam::dustCloud::checkSums(const dictionary& ledger) const
     all.subDict("ledger").remove("checksums");
     all.subDict("ledger").remove("complete");
 
-    dictionary now(parcelChecksums::of(*this));
+    dictionary now(parcelChecksums::of(*this, dem_->step.underWay()));
     now.set("ledger", parcelChecksums::of(all));
 
     wordList changed(parcelChecksums::changed(*thenPtr, now));

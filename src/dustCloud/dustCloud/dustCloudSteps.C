@@ -74,8 +74,17 @@ Foam::scalar Foam::dustCloud::nextParticleStep(const scalar left) const
         solution_.maxCo()
     );
 
-    // Equal steps for what is left of the gas step, as few as the limit allows.
-    // The limit may differ in its last bits between decompositions.
+    // The limit may differ in its last bits between decompositions
+
+    if (gasFrozen_ && limit < GREAT)
+    {
+        // Whatever deltaT is, see particleStep
+        int exponent;
+        const scalar mantissa = std::frexp((1 + 1e-6)*limit, &exponent);
+        return std::ldexp(std::floor(0x1p10*mantissa), exponent - 10);
+    }
+
+    // Equal steps for what is left of the gas step, as few as the limit allows
     return left/max(scalar(1), std::ceil(left/limit - 1e-6));
 }
 

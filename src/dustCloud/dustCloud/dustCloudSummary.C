@@ -261,6 +261,7 @@ void Foam::dustCloud::checkBalance() const
 
 void Foam::dustCloud::summarise()
 {
+    catchUp();
     checkBalance();
 
     demData& d = *dem_;

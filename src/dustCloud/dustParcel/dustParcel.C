@@ -61,6 +61,7 @@ Foam::dustParcel::dustParcel
     given_(Zero),
     response_(0),
     held_(false),
+    loadHolds_(false),
     load_(scalar(0)),
     blob_(),
     demIndex_(-1),
@@ -87,6 +88,7 @@ Foam::dustParcel::dustParcel
     given_(Zero),
     response_(0),
     held_(false),
+    loadHolds_(false),
     load_(scalar(0)),
     blob_(),
     demIndex_(-1),
@@ -114,6 +116,7 @@ Foam::dustParcel::dustParcel
     given_(Zero),
     response_(0),
     held_(false),
+    loadHolds_(false),
     load_(scalar(0)),
     blob_(),
     demIndex_(-1),
@@ -127,7 +130,7 @@ Foam::dustParcel::dustParcel
         if (is.format() == IOstream::ASCII)
         {
             is >> omega_ >> x_ >> state_ >> moved_ >> owed_ >> given_
-                >> response_ >> held_ >> load_;
+                >> response_ >> held_ >> loadHolds_ >> load_;
         }
         else
         {
@@ -151,6 +154,7 @@ Foam::dustParcel::dustParcel(const dustParcel& p, const polyMesh& mesh)
     given_(p.given_),
     response_(p.response_),
     held_(p.held_),
+    loadHolds_(p.loadHolds_),
     load_(p.load_),
     blob_(p.blob_),
     demIndex_(-1),
@@ -202,6 +206,7 @@ Foam::Ostream& Foam::operator<<(Ostream& os, const dustParcel& p)
             << token::SPACE << p.given_
             << token::SPACE << p.response_
             << token::SPACE << p.held_
+            << token::SPACE << p.loadHolds_
             << token::SPACE << p.load_;
     }
     else

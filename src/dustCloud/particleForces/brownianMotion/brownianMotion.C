@@ -59,7 +59,7 @@ Foam::brownianMotion::brownianMotion
 Foam::brownianStep Foam::brownianMotion::step
 (
     const dustParcel& p,
-    const label subStep
+    const label number
 ) const
 {
     return brownianStep
@@ -68,8 +68,8 @@ Foam::brownianStep Foam::brownianMotion::step
         {{
             uint32_t(p.origId()),
             uint32_t(p.origProc()),
-            uint32_t(this->mesh().time().timeIndex()),
-            uint32_t(subStep)
+            uint32_t(number),
+            0u
         }}
     );
 }

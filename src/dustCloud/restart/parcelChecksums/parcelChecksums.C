@@ -89,6 +89,15 @@ public:
         }
     }
 
+    template<unsigned N>
+    void add(const FixedList<scalar, N>& f)
+    {
+        for (const scalar v : f)
+        {
+            add(v);
+        }
+    }
+
     uint64_t value() const
     {
         return h_;
@@ -116,7 +125,8 @@ static word hexadecimal(const uint64_t value)
 static const wordList names
 ({
     "identity", "active", "typeId", "nParticle", "d", "dTarget", "U", "rho",
-    "age", "tTurb", "UTurb", "omega", "x", "state", "owedImpulse", "contacts"
+    "age", "tTurb", "UTurb", "omega", "x", "state", "owedImpulse", "contacts",
+    "gasLoad"
 });
 
 
@@ -152,6 +162,7 @@ struct fieldSums
         add(n, p, p.state());
         add(n, p, p.owed());
         add(n, p, p.blob());
+        add(n, p, p.load());
     }
 };
 
@@ -160,7 +171,11 @@ struct fieldSums
 
 // * * * * * * * * * * * * * Static Member Functions * * * * * * * * * * * * //
 
-Foam::dictionary Foam::parcelChecksums::of(const Cloud<dustParcel>& c)
+Foam::dictionary Foam::parcelChecksums::of
+(
+    const Cloud<dustParcel>& c,
+    const bool withLoads
+)
 {
     fieldSums all{List<uint64_t>(names.size(), uint64_t(0))};
     for (const dustParcel& p : c)
@@ -171,7 +186,8 @@ Foam::dictionary Foam::parcelChecksums::of(const Cloud<dustParcel>& c)
     Pstream::listCombineScatter(all.sums);
 
     dictionary result;
-    forAll(names, i)
+    const label n = names.size() - (withLoads ? 0 : 1);
+    for (label i = 0; i < n; ++i)
     {
         result.set(names[i], hexadecimal(all.sums[i]));
     }

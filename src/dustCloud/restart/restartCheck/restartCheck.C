@@ -204,6 +204,17 @@ void Foam::restartCheck::motion(const label i, const dustParcel& p) const
     vectorField("omega", p.omega(), fastestSpin, " rad/s");
     vectorField("x", p.x(), 1e10, " m");
     vectorField("owedImpulse", p.owed(), 1, " N s");
+    for (const scalar v : p.load())
+    {
+        if (!within(v, -1e15, 1e15))
+        {
+            error("gasLoad*", i, p, text(v), "finite");
+        }
+    }
+    if (p.load()[0] < 0)
+    {
+        error("gasLoadSp", i, p, text(p.load()[0]) + " kg/s", ">= 0 kg/s");
+    }
 
     if (!within(p.age(), -1e-9, 1e15))
     {

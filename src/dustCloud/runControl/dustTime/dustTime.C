@@ -184,6 +184,29 @@ void Foam::dustTime::skipIncomplete()
 }
 
 
+void Foam::dustTime::takeExactValue()
+{
+    const IOdictionary written
+    (
+        IOobject
+        (
+            "time", timeName(), "uniform", *this,
+            IOobject::READ_IF_PRESENT, IOobject::NO_WRITE, false
+        )
+    );
+    scalar exact = 0;
+    if
+    (
+        written.readIfPresent("value", exact)
+     && std::isfinite(exact) && timeName(exact) == timeName()
+    )
+    {
+        value() = exact;
+        startTime_ = exact;
+    }
+}
+
+
 void Foam::dustTime::begin() const
 {
     const word time(timeName());
@@ -379,6 +402,7 @@ Foam::dustTime::dustTime(const argList& args)
 {
     readControls();
     skipIncomplete();
+    takeExactValue();
     stopSignals::watch();
 }
 
