@@ -6,6 +6,23 @@
 namespace dem
 {
 
+namespace
+{
+
+//- Other constants for contact k
+void setConstants(ContactList& list, std::size_t k, const double* c)
+{
+    for (std::size_t a = 0; a < list.constants.size(); ++a)
+    {
+        std::vector<double>& column = list.constants[a];
+        list.same[a] = column.size() == 1 || (list.same[a] && column[k] == c[a]);
+        column[k] = c[a];
+    }
+}
+
+}
+
+
 void Contacts::setUp(ContactStore& store) const
 {
     store.lists.resize(env_.materials.laws().size());
@@ -48,8 +65,11 @@ void Contacts::constants
 }
 
 
-//- But for the yield, which needs the constants
-ContactEntry Contacts::entry(const IslandState& state, int i, int j, int patch) const
+//- And the constants in its law
+ContactEntry Contacts::entry
+(
+    const IslandState& state, int i, int j, int patch, double* c
+) const
 {
     const MaterialTable& materials = env_.materials;
     const Particle& p = state.particles[std::size_t(i)];
@@ -83,6 +103,8 @@ ContactEntry Contacts::entry(const IslandState& state, int i, int j, int patch) 
     e.edge = law.touchDistance(pairInLaw, pair) > 0 ? 0 : -e.neck;
     e.pullOff = law.pullOff(pairInLaw, pair, e.R);
     e.a0 = law.equilibriumRadius(pairInLaw, pair, e.R);
+    constants(state, i, j, patch, e.materialJ, c);
+    e.yield = law.rollingYield(c, j < 0 ? p.radius : e.R);
     return e;
 }
 
@@ -96,11 +118,9 @@ ContactList& Contacts::begin
     ContactStore& store = state.contacts;
     const Particle& p = state.particles[std::size_t(i)];
     const bool wall = j < 0;
-    ContactEntry e = entry(state, i, j, patch);
-    const int l = env_.materials.lawIndex(p.material, e.materialJ);
     double c[maxConstants];
-    constants(state, i, j, patch, e.materialJ, c);
-    e.yield = env_.law(std::size_t(l)).rollingYield(c, wall ? p.radius : e.R);
+    const ContactEntry e = entry(state, i, j, patch, c);
+    const int l = env_.materials.lawIndex(p.material, e.materialJ);
 
     int tag;
     if (store.freeTags.empty())
@@ -139,6 +159,23 @@ void Contacts::begin(IslandState& state, const std::vector<Touch>& touches) cons
         list.nz.back() = t.n.z();
         list.overlap.back() = t.overlap;
     }
+}
+
+
+bool Contacts::handOver
+(
+    IslandState& state, std::size_t law, std::size_t k, int patch
+) const
+{
+    ContactList& list = state.contacts.lists[law].walls;
+    const int i = list.i[k];
+    const int material = state.particles[std::size_t(i)].material;
+    if (env_.materials.lawIndex(material, env_.wallMaterial(patch)) != int(law)) return false;
+    double c[maxConstants];
+    state.contacts.entries[std::size_t(list.tag[k])] = entry(state, i, -1, patch, c);
+    setConstants(list, k, c);
+    list.j[k] = patch;
+    return true;
 }
 
 

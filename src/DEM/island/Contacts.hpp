@@ -49,6 +49,10 @@ public:
     //- Begin these contacts
     void begin(IslandState& state, const std::vector<Touch>& touches) const;
 
+    //- Contact k with a wall, of this law, goes on with this patch, with all that it remembers;
+    //  false, and nothing is done: that has another law
+    bool handOver(IslandState& state, std::size_t law, std::size_t k, int patch) const;
+
     //- End those that their law has marked
     std::vector<Partners> end(IslandState& state) const;
 
@@ -64,7 +68,10 @@ public:
 
 private:
 
-    ContactEntry entry(const IslandState& state, int i, int j, int patch) const;
+    ContactEntry entry
+    (
+        const IslandState& state, int i, int j, int patch, double* constants
+    ) const;
     ContactList& begin
     (
         IslandState& state, int i, int j, int patch, const ContactRecord* record

@@ -93,7 +93,8 @@ void WallCandidates::asleep(const IslandState& state)
 }
 
 
-void WallCandidates::update(IslandState& state, double skin)
+//- Returns whether there are any
+bool WallCandidates::findHits(const IslandState& state, double skin)
 {
     bool any = false;
     for (const int i : near_)
@@ -107,41 +108,84 @@ void WallCandidates::update(IslandState& state, double skin)
         taken_[k].assign(hits_[k].size(), 0);
         any = any || !hits_[k].empty();
     }
+    return any;
+}
 
-    for (ContactStore::Lists& l : state.contacts.lists)
+
+//- The place without a contact whose normal is most like that of contact k; -1: none
+int WallCandidates::alike(const ContactList& list, std::size_t k, bool anyPatch) const
+{
+    const std::size_t i = std::size_t(list.i[k]);
+    const Vec3 old(list.nx[k], list.ny[k], list.nz[k]);
+    int best = -1;
+    double most = sameNormal;
+    for (std::size_t c = 0; c < hits_[i].size(); ++c)
     {
-        ContactList& list = l.walls;
-        for (std::size_t k = 0; k < list.size(); ++k)
+        const WallHit& hit = hits_[i][c];
+        const double cosine = old.dot(hit.n);
+        if (!taken_[i][c] && (anyPatch || hit.patch == list.j[k]) && cosine > most)
         {
-            const std::size_t i = std::size_t(list.i[k]);
-            const Vec3 old(list.nx[k], list.ny[k], list.nz[k]);
-            int best = -1;
-            double alike = sameNormal;
-            for (std::size_t c = 0; any && c < hits_[i].size(); ++c)
-            {
-                const double cosine = old.dot(hits_[i][c].n);
-                if (!taken_[i][c] && hits_[i][c].patch == list.j[k] && cosine > alike)
-                {
-                    alike = cosine;
-                    best = int(c);
-                }
-            }
-            const double r = state.particles[i].radius;
-            if (best < 0)
-            {
-                // nothing of this wall is within reach any more
-                const ContactEntry& e = state.contacts.entry(list, k);
-                list.overlap[k] = -(1 + 1e-6)*e.neck - 1e-9*r;
-                continue;
-            }
-            const WallHit& hit = hits_[i][std::size_t(best)];
-            taken_[i][std::size_t(best)] = 1;
-            list.nx[k] = hit.n.x();
-            list.ny[k] = hit.n.y();
-            list.nz[k] = hit.n.z();
-            list.overlap[k] = r - hit.distance;
+            most = cosine;
+            best = int(c);
         }
     }
+    return best;
+}
+
+
+void WallCandidates::follow
+(
+    const IslandState& state, ContactList& list, std::size_t k, int hit
+)
+{
+    const std::size_t i = std::size_t(list.i[k]);
+    const WallHit& h = hits_[i][std::size_t(hit)];
+    taken_[i][std::size_t(hit)] = 1;
+    list.nx[k] = h.n.x();
+    list.ny[k] = h.n.y();
+    list.nz[k] = h.n.z();
+    list.overlap[k] = state.particles[i].radius - h.distance;
+}
+
+
+void WallCandidates::followElsewhere(IslandState& state)
+{
+    const Contacts contacts(env_);
+    for (const Lost& lost : lost_)
+    {
+        ContactList& list = state.contacts.lists[lost.law].walls;
+        const std::size_t k = lost.k, i = std::size_t(list.i[k]);
+        const int best = alike(list, k, true);
+        if
+        (
+            best >= 0
+         && contacts.handOver(state, lost.law, k, hits_[i][std::size_t(best)].patch)
+        ) follow(state, list, k, best);
+        else
+        {
+            // nothing of this wall is within reach any more
+            const ContactEntry& e = state.contacts.entry(list, k);
+            list.overlap[k] = -(1 + 1e-6)*e.neck - 1e-9*state.particles[i].radius;
+        }
+    }
+}
+
+
+void WallCandidates::update(IslandState& state, double skin)
+{
+    const bool any = findHits(state, skin);
+    lost_.clear();
+    for (std::size_t l = 0; l < state.contacts.lists.size(); ++l)
+    {
+        ContactList& list = state.contacts.lists[l].walls;
+        for (std::size_t k = 0; k < list.size(); ++k)
+        {
+            const int best = any ? alike(list, k, false) : -1;
+            if (best >= 0) follow(state, list, k, best);
+            else lost_.push_back({l, k});
+        }
+    }
+    if (!lost_.empty()) followElsewhere(state);
 }
 
 

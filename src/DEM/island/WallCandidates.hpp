@@ -2,7 +2,10 @@
 //
 // Where the particles of an island meet the walls, and which of these places continues which
 // contact: of the patch of the contact, the one whose normal has turned least, by less than 60
-// degrees.
+// degrees. Where the patch has none any more, as the particle has come to where another patch of
+// the same surface is nearer (at their joint, about the free edge of a baffle), the contact goes
+// on with that one: neither its force nor what its springs hold is interrupted. Between patches
+// with different laws it ends, and another one begins.
 #pragma once
 
 #include "island/Contacts.hpp"
@@ -83,6 +86,13 @@ private:
         return touch_[std::size_t(m)][std::size_t(patch)];
     }
     void findNear(const IslandState& state, int i, double skin);
+    bool findHits(const IslandState& state, double skin);
+    int alike(const ContactList& list, std::size_t k, bool anyPatch) const;
+    void follow(const IslandState& state, ContactList& list, std::size_t k, int hit);
+    void followElsewhere(IslandState& state);
+
+    //- A contact whose patch has no place for it any more
+    struct Lost { std::size_t law, k; };
 
     const Environment& env_;
     std::vector<std::size_t> surfaceEnd_;           // of each particle in surfaces_
@@ -92,6 +102,7 @@ private:
     std::vector<int> near_;                         // awake, with near surfaces
     std::vector<std::vector<WallHit>> hits_;        // by particle
     std::vector<std::vector<char>> taken_;          // they have a contact
+    std::vector<Lost> lost_;                        // scratch
 };
 
 }

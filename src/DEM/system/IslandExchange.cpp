@@ -10,9 +10,10 @@ namespace dem
 
 JoinedComponents::JoinedComponents
 (
-    std::vector<std::vector<Shown>>& shown, double dt, const Periodic& periodic
+    std::vector<std::vector<Shown>>& shown, Ties& ties, double dt, const Periodic& periodic
 )
 {
+    std::unordered_map<std::int64_t, std::int64_t> componentOf;     // by particle
     std::vector<Box> boxes;
     std::vector<Shown*> all;
     std::vector<int> ranks;
@@ -22,18 +23,21 @@ JoinedComponents::JoinedComponents
         {
             s.component.home = r;
             components_[s.component.id] = s.component;
+            componentOf[s.id] = s.component.id;
             boxes.push_back(s.box);
             all.push_back(&s);
             ranks.push_back(r);
         }
     }
+    for (const auto& t : ties) join(componentOf.at(t.first), componentOf.at(t.second));
     BoxGrid(boxes).pairs
     (
         [&](int i, int j)
         {
             if (ranks[std::size_t(i)] == ranks[std::size_t(j)]) return;
             Shown &a = *all[std::size_t(i)], &b = *all[std::size_t(j)];
-            if (meet(a.path, b.path, dt, periodic)) join(a.component.id, b.component.id);
+            if (!meet(a.path, b.path, dt, periodic)) return;
+            if (join(a.component.id, b.component.id)) ties.push_back({a.id, b.id});
         }
     );
 }
@@ -46,16 +50,18 @@ std::int64_t JoinedComponents::root(std::int64_t id) const
 }
 
 
-void JoinedComponents::join(std::int64_t a, std::int64_t b)
+//- Returns whether they have been two
+bool JoinedComponents::join(std::int64_t a, std::int64_t b)
 {
     a = root(a);
     b = root(b);
-    if (a == b) return;
+    if (a == b) return false;
     const std::int64_t low = std::min(a, b), high = std::max(a, b);
     parent_[high] = low;
     Component& to = components_[low];
     to.add(components_[high]);
     to.shared = true;
+    return true;
 }
 
 

@@ -12,6 +12,7 @@
 
 #include <map>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace dem
@@ -63,6 +64,7 @@ struct Member
 //- A particle that others may meet, and the component of its rank that it belongs to
 struct Shown
 {
+    std::int64_t id = 0;        // of the particle
     Box box = {Vec3::Zero(), Vec3::Zero()};
     Path path;                  // its place, corridor, size, hit and rigid body
     Component component;
@@ -70,6 +72,7 @@ struct Shown
     template<class S, class F>
     static void fields(S& s, F& f)
     {
+        f(s.id);
         f(s.box.low);
         f(s.box.high);
         f(s.path.x);
@@ -85,16 +88,23 @@ struct Shown
     }
 };
 
+//- Particles (ids) of two ranks that have been found to be able to meet in this particle step.
+//  As within a rank they stay together, though corridors that are set anew may part them again:
+//  else it would matter which rank they are of, and who joins and parts in turn would go on
+//  for ever.
+using Ties = std::vector<std::pair<std::int64_t, std::int64_t>>;
+
 //- Components as joined over ranks, by the ids that they have on their own ranks
 class JoinedComponents
 {
 public:
 
-    //- Who can meet whom of another rank. shown: by rank; when one can first be hit is taken
-    //  down in its path. The same on every rank.
+    //- Who can meet whom of another rank. shown: by rank, among them all of `ties`, to which
+    //  what is new is added; when one can first be hit is taken down in its path. The same on
+    //  every rank.
     JoinedComponents
     (
-        std::vector<std::vector<Shown>>& shown, double dt, const Periodic& periodic
+        std::vector<std::vector<Shown>>& shown, Ties& ties, double dt, const Periodic& periodic
     );
 
     //- What the component with this id on its own rank has become; nullptr: it was not shown,
@@ -104,7 +114,7 @@ public:
 private:
 
     std::int64_t root(std::int64_t id) const;
-    void join(std::int64_t a, std::int64_t b);
+    bool join(std::int64_t a, std::int64_t b);
 
     std::map<std::int64_t, Component> components_;
     std::map<std::int64_t, std::int64_t> parent_;

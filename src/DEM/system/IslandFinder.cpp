@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <unordered_set>
 
 namespace dem
 {
@@ -45,6 +46,7 @@ void IslandFinder::begin(double dt)
         who_.resize(store_.size());
         std::iota(who_.begin(), who_.end(), std::size_t(0));
     }
+    ties_.clear();
     awake_ = who_.size();
     paths_.resize(awake_);
     boxes_.resize(awake_);
@@ -208,16 +210,18 @@ std::vector<std::size_t> IslandFinder::collect()
 }
 
 
-//- Those whose boxes reach into the box of another rank's particles
+//- Those whose boxes reach into the box of another rank's particles, or have done so and met
 std::vector<std::size_t> IslandFinder::reachingOthers()
 {
     Box all = store_.index.around();
     for (std::size_t k = 0; k < who_.size(); ++k) all.include(box(k));
     const std::vector<Box> domains = exchange_.domains(all);
+    std::unordered_set<std::int64_t> tied;
+    for (const auto& t : ties_) tied.insert({t.first, t.second});
     std::vector<std::size_t> result;
     for (std::size_t k = 0; k < who_.size(); ++k)
     {
-        bool out = false;
+        bool out = tied.count(store_.particles[who_[k]].id) > 0;
         for (int r = 0; r < communicator_.size() && !out; ++r)
         {
             out = r != communicator_.rank() && box(k).overlaps(domains[std::size_t(r)]);
@@ -253,7 +257,11 @@ bool IslandFinder::joinOverRanks
     std::vector<Shown> mine;
     for (std::size_t m = 0; m < shown.size(); ++m)
     {
-        mine.push_back({box(shown[m]), paths_[shown[m]], components_[ofShown[m]]});
+        const std::size_t k = shown[m];
+        mine.push_back
+        (
+            {store_.particles[who_[k]].id, box(k), paths_[k], components_[ofShown[m]]}
+        );
     }
     auto everybody = exchange_.everybody(mine);
     const std::size_t rank = std::size_t(communicator_.rank());
@@ -268,7 +276,7 @@ bool IslandFinder::joinOverRanks
     }
     if (communicator_.any(added)) return false;
 
-    const JoinedComponents joined(everybody, dt, periodic_);
+    const JoinedComponents joined(everybody, ties_, dt, periodic_);
     for (std::size_t m = 0; m < shown.size(); ++m)
     {
         Path& p = paths_[shown[m]];

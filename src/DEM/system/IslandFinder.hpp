@@ -135,6 +135,7 @@ private:
     const Communicator& communicator_;
     Reach reach_;
     IslandExchange exchange_;
+    Ties ties_;                         // of this particle step, the same on every rank
     bool islands_;
 
     // Those who take part: first the awake, by index, then of those at rest whom they can meet

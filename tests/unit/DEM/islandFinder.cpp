@@ -66,6 +66,7 @@ dem::Shown shown(std::int64_t id, double x, double speed)
 {
     dem::Shown s;
     const double reach = r + speed*dt;
+    s.id = id;
     s.box = {Vec3(x - reach, -reach, -reach), Vec3(x + reach, reach, reach)};
     s.path.x = Vec3(x, 0, 0);
     s.path.size = r;
@@ -238,7 +239,8 @@ TEST(islandFinder, componentsOfSeveralRanksBecomeOne)
         {shown(4, 0, speed), shown(12, -30*r, speed)}, {shown(2, 15*r, speed)},
         {shown(9, 30*r, speed), shown(11, 1, speed)}
     };
-    const dem::JoinedComponents joined(byRank, dt, {});
+    dem::Ties ties;
+    const dem::JoinedComponents joined(byRank, ties, dt, {});
     for (const std::int64_t id : {4, 2, 9})
     {
         ASSERT_TRUE(joined.find(id)) << id;
@@ -253,4 +255,24 @@ TEST(islandFinder, componentsOfSeveralRanksBecomeOne)
     EXPECT_FALSE(joined.find(77));
     EXPECT_LE(byRank[0][0].path.hitNext, dt);
     EXPECT_GT(byRank[2][1].path.hitNext, dt);
+}
+
+
+TEST(islandFinder, whoHasBeenTiedOverRanksStaysSo)
+{
+    // as within a rank, though their ways, when set anew, lead past each other
+    dem::Ties ties;
+    std::vector<std::vector<dem::Shown>> wide{{shown(4, 0, 0.1)}, {shown(2, 15*r, 0.1)}};
+    const dem::JoinedComponents first(wide, ties, dt, {});
+    ASSERT_EQ(ties.size(), 1u);
+    std::vector<std::vector<dem::Shown>> narrow{{shown(4, 0, 0)}, {shown(2, 15*r, 0)}};
+    dem::Ties none;
+    EXPECT_FALSE(dem::JoinedComponents(narrow, none, dt, {}).find(4));
+    // 4 has become a part of 1 on its own rank
+    narrow[0][0].component.id = 1;
+    const dem::JoinedComponents second(narrow, ties, dt, {});
+    ASSERT_TRUE(second.find(2));
+    EXPECT_EQ(second.find(2)->id, 1);
+    EXPECT_TRUE(second.find(1)->shared);
+    EXPECT_EQ(ties.size(), 1u);
 }

@@ -143,3 +143,52 @@ TEST(convergence, orderOfEveryLaw)
         }
     }
 }
+
+
+TEST(convergence, losslessImpactsGainNothingByThemselves)
+{
+    // what an impact gains or loses by the error of its steps is of second order; on average over
+    // many, which add up, it must be of a higher one
+    const Law law = lawOf("Hertz", 1);
+    struct Gain { double mean, rms; };
+    const auto gain = [&](double steps)
+    {
+        double sum = 0, square = 0;
+        int touches = 0;
+        for (int run = 0; run < 10; ++run)
+        {
+            dem::TimeSettings time;
+            time.restTolerance = 0;
+            time.stepsPerContact = steps;
+            dem::System system(law.table(), time);
+            dem::Walls walls = scene::floor();
+            walls.planes.push_back({Vec3(0, 0, 10*r), -Vec3::UnitZ(), 0});
+            system.setWalls(walls);
+            const double v = 0.5 + 0.15*run;
+            system.add(scene::sphere(law, 1, r, Vec3(0, 0, 5*r), Vec3(0.1, 0, v)));
+            double before = v*v;
+            // 0.37 ways between the walls: it touches at any phase of a particle step
+            for (int k = 0; k < 800; ++k)
+            {
+                touches += int(system.advance(0.37*8*r/v).touches);
+                if (system.inContact(0)) continue;
+                const double after = std::pow(system.particle(0).v.z(), 2);
+                const double share = after/before - 1;
+                sum += share;
+                square += share*share;
+                before = after;
+            }
+        }
+        return Gain{sum/touches, std::sqrt(square/touches)};
+    };
+    const Gain coarse = gain(50), fine = gain(100);
+    std::printf
+    (
+        "# gain per impact: %.2e, rms %.2e at 50 steps, %.2e, rms %.2e at 100\n",
+        coarse.mean, coarse.rms, fine.mean, fine.rms
+    );
+    EXPECT_LT(std::fabs(coarse.mean), 5e-6);
+    EXPECT_LT(coarse.rms, 4e-5);
+    EXPECT_LT(fine.rms, 0.35*coarse.rms);
+    EXPECT_LT(std::fabs(fine.mean), 0.15*std::fabs(coarse.mean));
+}
