@@ -188,7 +188,7 @@ int main(int argc, char *argv[])
 
     const IOdictionary dict
     (
-        caseInput::mustRead("calibrateContactDict", runTime.system(), runTime)
+        caseInput::read("calibrateContactDict", runTime.system(), runTime)
     );
     const calibrationSettings settings(dict, runTime);
     const scaledCollision curve(settings.neck);

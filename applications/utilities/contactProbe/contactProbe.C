@@ -285,13 +285,13 @@ int main(int argc, char *argv[])
 
     const IOdictionary properties
     (
-        caseInput::mustRead("dustProperties", runTime.constant(), runTime)
+        caseInput::read("dustProperties", runTime.constant(), runTime)
     );
     dustProperties dust(properties);
 
     const IOdictionary probeDict
     (
-        caseInput::mustRead("contactProbeDict", runTime.system(), runTime)
+        caseInput::read("contactProbeDict", runTime.system(), runTime)
     );
     const probeSettings settings
     (
@@ -312,11 +312,19 @@ int main(int argc, char *argv[])
     }
     catch (const dem::inputError& e)
     {
+        if (e.keyword.compare(0, 14, "patchCurvature") == 0)
+        {
+            dustProperties::error(probeDict, "wallRadius", e.reason, e.allowed);
+        }
         dustProperties::error(properties, e);
     }
-    catch (const std::exception& e)
+    catch (const dem::numericalError& e)
     {
-        FatalErrorInFunction << e.what() << exit(FatalError);
+        dustProperties::error
+        (
+            probeDict, "pairs", string("cannot be held at rest: ") + e.what(),
+            "stiffer materials, less surface energy, or larger spheres"
+        );
     }
 
     Info<< nl << "End" << nl << endl;

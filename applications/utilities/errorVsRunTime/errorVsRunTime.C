@@ -206,7 +206,7 @@ int main(int argc, char *argv[])
     );
     const IOdictionary dict
     (
-        caseInput::mustRead("errorVsRunTimeDict", runTime.system(), runTime)
+        caseInput::read("errorVsRunTimeDict", runTime.system(), runTime)
     );
     chDir(runTime.globalPath());
 

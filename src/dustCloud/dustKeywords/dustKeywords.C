@@ -29,8 +29,8 @@ License
 #include "argList.H"
 #include "IOstreams.H"
 #include "ITstream.H"
-#include "Switch.H"
 
+#include <algorithm>
 #include <cstring>
 #include <sstream>
 
@@ -54,162 +54,6 @@ static bool among(const std::string& list, const std::string& word)
 }
 
 
-//- What the tokens of an entry look like
-static std::string text(const ITstream& is)
-{
-    std::ostringstream os;
-    for (const token& t : is)
-    {
-        OSstream out(os, "text");
-        out.precision(10);
-        os << (os.str().empty() ? "" : " ");
-        out << t;
-    }
-    return os.str();
-}
-
-
-//- A finite number. Of the bits: comparing what is none could trap
-static bool finite(const token& t)
-{
-    return t.isNumber() && dem::isFinite(t.number());
-}
-
-
-static bool isWord(const ITstream& is)
-{
-    return is.size() == 1 && (is[0].isWord() || is[0].isString());
-}
-
-
-static std::string wordOf(const ITstream& is)
-{
-    return is[0].isWord() ? is[0].wordToken() : is[0].stringToken();
-}
-
-
-//- What is wrong with what should be a number; empty: nothing
-static std::string faultOfNumber
-(
-    const ITstream& is,
-    const bool whole,
-    const allowance& allowed
-)
-{
-    const std::string given = "is '" + text(is) + "', ";
-
-    if (is.size() > 1 && is[0].isNumber())
-    {
-        return given + "more than one number";
-    }
-    if (is.size() != 1 || !finite(is[0]))
-    {
-        return given + "not a number";
-    }
-    if (whole && !is[0].isLabel())
-    {
-        return given + "not a whole number that can be counted to";
-    }
-    return allowed.contains(is[0].number()) ? "" : "is " + text(is);
-}
-
-
-//- The same of three numbers
-static std::string faultOfVector
-(
-    const ITstream& is,
-    const allowance& allowed
-)
-{
-    bool three = is.size() == 5;
-    for (label i = 1; three && i < 4; ++i)
-    {
-        three = finite(is[i]);
-    }
-    if
-    (
-        !three
-     || is[0] != token(token::BEGIN_LIST)
-     || is[4] != token(token::END_LIST)
-    )
-    {
-        return "is '" + text(is) + "', not three numbers in parentheses";
-    }
-    for (label i = 1; i < 4; ++i)
-    {
-        if (!allowed.contains(is[i].number()))
-        {
-            return "is " + text(is);
-        }
-    }
-    return "";
-}
-
-
-//- What is wrong with the value of an entry; empty: nothing
-static std::string fault
-(
-    const ITstream& is,
-    const dustKeywords::row& r,
-    const allowance& allowed
-)
-{
-    const std::string given = "is '" + text(is) + "', ";
-
-    if (is.empty())
-    {
-        return "has no value";
-    }
-    if (isWord(is) && allowed.contains(wordOf(is)))
-    {
-        return "";
-    }
-
-    switch (r.kind)
-    {
-        case dustKeywords::number:
-        case dustKeywords::integer:
-        {
-            return faultOfNumber(is, r.kind == dustKeywords::integer, allowed);
-        }
-        case dustKeywords::vector:
-        {
-            return faultOfVector(is, allowed);
-        }
-        case dustKeywords::flag:
-        {
-            const bool known =
-                is.size() == 1
-             && (
-                    (is[0].isLabel() && (is[0].labelToken() & ~1) == 0)
-                 || (isWord(is) && Switch(wordOf(is), true).valid())
-                );
-            return known ? "" : given + "not a switch";
-        }
-        case dustKeywords::name:
-        {
-            if (!isWord(is))
-            {
-                return given + "not one word";
-            }
-            return
-                allowed.words().empty()
-              ? ""
-              : "unknown value '" + wordOf(is) + "'";
-        }
-        case dustKeywords::block:
-        case dustKeywords::model:
-        {
-            return given + "not a dictionary";
-        }
-        default:
-        {
-            return "";
-        }
-    }
-}
-
-
 //- Bounds, words and unit as they are printed
 static std::string allowedText(const dustKeywords::row& r)
 {
@@ -222,6 +66,10 @@ static std::string allowedText(const dustKeywords::row& r)
     {
         allowed +=
             std::string(allowed.empty() ? "" : ", ") + "three numbers (x y z)";
+    }
+    if (r.kind == dustKeywords::numbers)
+    {
+        allowed = "( a b ... ), each " + allowed;
     }
     if (r.kind == dustKeywords::block || r.kind == dustKeywords::model)
     {
@@ -296,6 +144,7 @@ static std::string modelOf
 
 std::vector<const Foam::dustKeywords::row*> Foam::dustKeywords::below
 (
+    const std::vector<row>& table,
     const std::string& path,
     const std::string& model
 )
@@ -303,7 +152,7 @@ std::vector<const Foam::dustKeywords::row*> Foam::dustKeywords::below
     std::vector<const row*> found;
     const std::string start = path.empty() ? "" : path + '/';
 
-    for (const row& r : rows())
+    for (const row& r : table)
     {
         if
         (
@@ -316,6 +165,22 @@ std::vector<const Foam::dustKeywords::row*> Foam::dustKeywords::below
         }
     }
     return found;
+}
+
+
+const std::string& Foam::dustKeywords::fallback(const std::string& path)
+{
+    const auto found = std::find_if
+    (
+        rows().begin(), rows().end(),
+        [&](const row& r) { return r.path == path; }
+    );
+    if (found == rows().end())
+    {
+        FatalErrorInFunction
+            << "no keyword " << path.c_str() << abort(FatalError);
+    }
+    return found->fallback;
 }
 
 
@@ -335,7 +200,7 @@ void Foam::dustKeywords::checkEntry
     }
     else if (r.kind != model || !e.stream().empty())
     {
-        wrong = fault(e.stream(), r, allowance(r.allowed));
+        wrong = fault(e.stream(), r);
     }
 
     if (!wrong.empty())
@@ -407,12 +272,13 @@ void Foam::dustKeywords::checkMissing
 
 void Foam::dustKeywords::checkBlock
 (
+    const std::vector<row>& table,
     const dictionary& dict,
     const std::string& path,
     const std::string& model
 )
 {
-    const std::vector<const row*> valid = below(path, model);
+    const std::vector<const row*> valid = below(table, path, model);
     const auto nameOf = [&](const row& r)
     {
         return path.empty() ? r.path : r.path.substr(path.size() + 1);
@@ -454,7 +320,7 @@ void Foam::dustKeywords::checkBlock
             const std::string inner = modelOf(r->path, e.dict(), known);
             if (known)
             {
-                checkBlock(e.dict(), r->path, inner);
+                checkBlock(table, e.dict(), r->path, inner);
             }
         }
     }
@@ -490,9 +356,42 @@ const std::vector<Foam::dustKeywords::row>& Foam::dustKeywords::rows()
 }
 
 
+Foam::word Foam::dustKeywords::wordOf
+(
+    const dictionary& dict,
+    const std::string& path
+)
+{
+    return dict.lookupOrDefault<word>(fileName(path).name(), fallback(path));
+}
+
+
+Foam::scalar Foam::dustKeywords::numberOf
+(
+    const dictionary& dict,
+    const std::string& path
+)
+{
+    return dict.lookupOrDefault
+    (
+        fileName(path).name(), readScalar(fallback(path))
+    );
+}
+
+
 void Foam::dustKeywords::check(const dictionary& properties)
 {
-    checkBlock(properties, "", "");
+    check(properties, rows());
+}
+
+
+void Foam::dustKeywords::check
+(
+    const dictionary& dict,
+    const std::vector<row>& table
+)
+{
+    checkBlock(table, dict, "", "");
 }
 
 

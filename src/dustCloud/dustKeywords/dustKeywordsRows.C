@@ -47,6 +47,18 @@ static std::string allowedOf(const dem::PartKeyword& k)
       : allowed;
 }
 
+
+static std::string text(const double value)
+{
+    return Foam::name(value);
+}
+
+
+static std::string text(const bool value)
+{
+    return value ? "on" : "off";
+}
+
 } // End namespace Foam
 
 
@@ -56,6 +68,11 @@ static std::string allowedOf(const dem::PartKeyword& k)
 
 void Foam::dustKeywords::addCaseRows(std::vector<row>& t)
 {
+    // What the code has without a keyword
+    const dem::RatioLimits limits;
+    const dem::TimeSettings time;
+    const dem::ReducedStiffness softening;
+
     const std::vector<row> rows
     ({
         {"materials", "", block, "-", "", "",
@@ -81,21 +98,28 @@ void Foam::dustKeywords::addCaseRows(std::vector<row>& t)
             "of a cylinder, or both principal radii; negative: hollow"},
         {"reducedStiffness", "", block, "-", "none: the real stiffness", "",
             "particles softer than real, with the same sticking"},
-        {"reducedStiffness/ratio", "", number, "-", "1", ">=1e-9 <=1 auto",
+        {"reducedStiffness/ratio", "", number, "-", text(softening.ratio),
+            ">=1e-9 <=1 auto",
             "chi, modulus over the real one; auto: the softest within limits"},
-        {"reducedStiffness/surfaceEnergy", "", name, "-", "scaled",
+        {"reducedStiffness/surfaceEnergy", "", name, "-",
+            softening.scaleSurfaceEnergy ? "scaled" : "unchanged",
             "scaled unchanged", "scaled: with chi^(2/5), the same rebound"},
-        {"reducedStiffness/resistance", "", name, "-", "original",
+        {"reducedStiffness/resistance", "", name, "-",
+            softening.scaleResistance ? "scaled" : "original",
             "original scaled", "to rolling and sliding"},
         {"reducedStiffness/limits", "", block, "-", "none: the defaults", "",
             "checked while running"},
-        {"reducedStiffness/limits/pullOffOverForce", "", number, "-", "100",
+        {"reducedStiffness/limits/pullOffOverForce", "", number, "-",
+            text(limits.pullOffOverForce),
             ">=1e-9 <=1e12", "smallest pull-off force over the gas force"},
-        {"reducedStiffness/limits/overlap", "", number, "-", "0.01",
+        {"reducedStiffness/limits/overlap", "", number, "-",
+            text(limits.overlap),
             ">=1e-9 <=1", "largest overlap over the diameter"},
-        {"reducedStiffness/limits/ratio", "", number, "-", "1e-3",
+        {"reducedStiffness/limits/ratio", "", number, "-",
+            text(limits.ratio),
             ">=1e-12 <=1", "smallest chi"},
-        {"reducedStiffness/limits/loadFactor", "", number, "-", "10",
+        {"reducedStiffness/limits/loadFactor", "", number, "-",
+            text(limits.loadFactor),
             ">=1 <=1e6",
             "what a bond carries over the force on one particle in the fastest"
             " gas of the start, for ratio auto"},
@@ -103,13 +127,16 @@ void Foam::dustKeywords::addCaseRows(std::vector<row>& t)
             "warn stop stiffen", "of a limit; stiffen: raise chi, go on"},
         {"timeIntegration", "", block, "-", "none: the defaults", "",
             "of contacts"},
-        {"timeIntegration/stepsPerContact", "", number, "-", "50",
+        {"timeIntegration/stepsPerContact", "", number, "-",
+            text(time.stepsPerContact),
             ">=20 <=1e6", "contact steps per collision; 34 is usual, 136 fine"},
-        {"timeIntegration/restTolerance", "", number, "-", "1", ">=0 <=1e6",
+        {"timeIntegration/restTolerance", "", number, "-",
+            text(time.restTolerance), ">=0 <=1e6",
             "factor of the criterion of rest; 0: nothing ever rests"},
-        {"timeIntegration/islands", "", flag, "-", "on", "",
+        {"timeIntegration/islands", "", flag, "-", text(time.islands), "",
             "only what is in contact takes contact steps"},
-        {"timeIntegration/energyLedger", "", flag, "-", "off", "",
+        {"timeIntegration/energyLedger", "", flag, "-",
+            text(time.energyLedger), "",
             "say where the energy of contacts goes"}
     });
     t.insert(t.end(), rows.begin(), rows.end());

@@ -57,7 +57,8 @@ dem::WallCurvature Foam::patchCurvature::read
             keyword,
             reason,
             "a radius [m] of a cylinder, ( R1 R2 ) of both principal radii,"
-            " negative where it is hollow, or flat" + alsoAllowed
+            " 1e-12 to 1e12, negative where it is hollow, or flat"
+          + alsoAllowed
         );
     };
 
@@ -94,7 +95,7 @@ dem::WallCurvature Foam::patchCurvature::read
 
     for (const scalar radius : radii)
     {
-        if (!(mag(radius) > 0 && mag(radius) < GREAT))
+        if (mag(radius) < 1e-12 || mag(radius) > 1e12)
         {
             refuse("is " + Foam::name(radius));
         }

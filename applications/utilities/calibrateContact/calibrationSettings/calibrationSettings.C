@@ -20,6 +20,7 @@ License
 
 #include "calibrationSettings.H"
 #include "caseInput.H"
+#include "dustKeywords.H"
 #include "mathematicalConstants.H"
 #include "Tuple2.H"
 
@@ -31,6 +32,45 @@ License
 namespace Foam
 {
 
+// With a neck, and without: see scaledCollision.H
+static const wordList laws({"JKR", "simplifiedJKR"});
+
+
+//- system/calibrateContactDict, as dustKeywords.H has it: path, models, kind,
+//  unit, default, allowed, meaning
+static const std::vector<dustKeywords::row>& rows()
+{
+    static const std::vector<dustKeywords::row> table
+    ({
+        {"pair", "", dustKeywords::name, "-", "", "", "a.b: two materials"},
+        {"diameter", "", dustKeywords::number, "m", "", ">=1e-10 <=1",
+            "of the sphere"},
+        {"points", "", dustKeywords::other, "m/s, -", "", "( (v e) ... )",
+            "speed and restitution of normal impacts"},
+        {"density", "", dustKeywords::number, "kg/m3",
+            "of constant/dustProperties", ">=1e-3 <=1e20", "of the sphere"},
+        {"configuration", "", dustKeywords::name, "-",
+            "of constant/dustProperties", "wall spheres",
+            "a sphere on a wall, or two equal ones"},
+        {"model", "", dustKeywords::name, "-", laws[0],
+            laws[0] + ' ' + laws[1], "the contact law"},
+        {"plateauRestitution", "", dustKeywords::number, "-", "fitted",
+            ">=0.01 <=1", "of fast impacts"},
+        {"fitPoint", "", dustKeywords::other, "m/s, -", "none", "(v e)",
+            "that alone gives the adhesion"},
+        {"effectiveYoungsModulus", "", dustKeywords::number, "Pa",
+            "of constant/dustProperties", ">=1 <=1e20", "of the real pair"},
+        {"overlap", "", dustKeywords::number, "-", "0.01", ">=1e-9 <=1",
+            "largest overlap over the diameter"},
+        {"highestVelocity", "", dustKeywords::number, "m/s",
+            "of the fastest point", ">=1e-9 <=1e6", "where it shall hold"},
+        {"output", "", dustKeywords::name, "-", "constant/calibratedContact",
+            "", "the file to write"}
+    });
+    return table;
+}
+
+
 static calibrationSettings::measurement checkedPoint
 (
     const dictionary& dict,
@@ -40,7 +80,8 @@ static calibrationSettings::measurement checkedPoint
 {
     caseInput::check
     (
-        dict, keyword, p.first(), p.first() > 0, "(v e) with v > 0 m/s"
+        dict, keyword, p.first(), p.first() >= 1e-9 && p.first() <= 1e6,
+        "(v e) with v from 1e-9 to 1e6 m/s"
     );
     caseInput::check
     (
@@ -65,7 +106,10 @@ bool Foam::calibrationSettings::lookAtProperties(const Time& runTime)
     {
         return false;
     }
-    const IOdictionary properties(io);
+    const IOdictionary properties
+    (
+        caseInput::read(io.name(), io.instance(), runTime)
+    );
     const dustProperties dust(properties);
     const dem::MaterialTable table(dust.table());
 
@@ -114,11 +158,11 @@ void Foam::calibrationSettings::readPair
             dict, "pair", "'" + pair + "' names no two materials", "a.b"
         );
     }
-    radius = 0.5*caseInput::positive(dict, "diameter", "m");
+    radius = 0.5*dict.get<scalar>("diameter");
 
     const bool known = lookAtProperties(runTime);
 
-    density = caseInput::positiveOr(dict, "density", density, "kg/m3");
+    dict.readIfPresent("density", density);
     if (!(density > 0))
     {
         dustProperties::error
@@ -129,9 +173,7 @@ void Foam::calibrationSettings::readPair
             "density here, or the two materials in constant/dustProperties"
         );
     }
-    realE =
-        caseInput::positiveOr(dict, "effectiveYoungsModulus", realE, "Pa");
-
+    dict.readIfPresent("effectiveYoungsModulus", realE);
     if (!known && !dict.found("configuration"))
     {
         dustProperties::error
@@ -142,15 +184,12 @@ void Foam::calibrationSettings::readPair
             "configuration wall; or configuration spheres;"
         );
     }
-    wall =
-        caseInput::choice
-        (
-            dict, "configuration", wall ? "wall" : "spheres", {"wall", "spheres"}
-        ) == "wall";
+    if (dict.found("configuration"))
+    {
+        wall = dict.get<word>("configuration") == "wall";
+    }
 
-    // With a neck, and without: see scaledCollision.H
-    const wordList laws({"JKR", "simplifiedJKR"});
-    model = caseInput::choice(dict, "model", laws[0], laws);
+    model = dict.lookupOrDefault("model", laws[0]);
     neck = model == laws[0];
 }
 
@@ -168,15 +207,7 @@ void Foam::calibrationSettings::readPoints(const dictionary& dict)
         rebounds += p.second() > 0;
     }
 
-    if (dict.found("plateauRestitution"))
-    {
-        plateau = dict.get<scalar>("plateauRestitution");
-        caseInput::check
-        (
-            dict, "plateauRestitution", plateau,
-            plateau >= 0.01 && plateau <= 1, "0.01 to 1"
-        );
-    }
+    dict.readIfPresent("plateauRestitution", plateau);
     if (dict.found("fitPoint"))
     {
         fitPoint = checkedPoint
@@ -217,9 +248,8 @@ void Foam::calibrationSettings::readLimits
     {
         highest = std::max(highest, p.v);
     }
-    overlapLimit = caseInput::positiveOr(dict, "overlap", 0.01, "-");
-    highestVelocity =
-        caseInput::positiveOr(dict, "highestVelocity", highest, "m/s");
+    overlapLimit = dict.lookupOrDefault<scalar>("overlap", 0.01);
+    highestVelocity = dict.lookupOrDefault("highestVelocity", highest);
     output =
         dict.lookupOrDefault<fileName>("output", "constant/calibratedContact");
     if (!output.isAbsolute())
@@ -243,15 +273,7 @@ Foam::calibrationSettings::calibrationSettings
     plateau(0),
     fitPoint{0, 0}
 {
-    dustProperties::checkKeywords
-    (
-        dict,
-        {
-            "FoamFile", "pair", "diameter", "points", "density",
-            "configuration", "model", "plateauRestitution", "fitPoint",
-            "effectiveYoungsModulus", "overlap", "highestVelocity", "output"
-        }
-    );
+    dustKeywords::check(dict, rows());
     readPair(dict, runTime);
     readPoints(dict);
     readLimits(dict, runTime);

@@ -147,12 +147,8 @@ void Foam::restitutionFit::fitAdhesion
 )
 {
     X_ = through(alpha_, slow);
-    if (settings_.fitPoint.v > 0)
+    if (X_ < 0 || settings_.fitPoint.v > 0)
     {
-        if (X_ < 0)
-        {
-            FatalErrorInFunction << "No adhesion fits" << exit(FatalError);
-        }
         return;
     }
     // one unknown; the second dimension is idle
@@ -195,6 +191,11 @@ void Foam::restitutionFit::fitBoth
     const calibrationSettings::measurement& slow
 )
 {
+    X_ = through(guess, slow);
+    if (X_ < 0)
+    {
+        return;
+    }
     const scalar alphaMost = scaledCollision::alphaOf(0.01);
     const auto best = lowest
     (
@@ -205,7 +206,7 @@ void Foam::restitutionFit::fitBoth
               ? scalar(1e3)
               : squares(x[0], std::exp(x[1]));
         },
-        {guess, std::log(through(guess, slow))}, {0.2*guess, 0.05}
+        {guess, std::log(X_)}, {0.2*guess, 0.05}
     );
     alpha_ = best[0];
     X_ = std::exp(best[1]);
@@ -269,6 +270,17 @@ Foam::restitutionFit::restitutionFit
     else
     {
         fitBoth(guess, slow);
+    }
+
+    if (!(X_ > 0))
+    {
+        dustProperties::error
+        (
+            dict,
+            onePoint ? "fitPoint" : "points",
+            "no adhesion gives a restitution of " + Foam::name(slow.e),
+            "a restitution well between 0 and that of fast impacts"
+        );
     }
 }
 

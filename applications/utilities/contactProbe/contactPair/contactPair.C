@@ -177,7 +177,9 @@ Foam::contactPair::contactPair
     mi_(sphereMass(table, pair.i, ri_)),
     mj_(sphereMass(table, pair.j, rj_)),
     rockingPeriod_(-1)
-{}
+{
+    newSystem(table_, pair_.i, pair_.j);    // refuses walls too hollow for it
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

@@ -19,40 +19,51 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "caseInput.H"
+#include "dustKeywords.H"
 #include "patchCurvature.H"
 #include "probeSettings.H"
-
-#include <functional>
-
-using Foam::caseInput::check;
-using Foam::caseInput::positiveOr;
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
 
-//- A list of numbers that are all good; one of them at least
-static scalarList checkedList
-(
-    const dictionary& dict,
-    const word& keyword,
-    const std::function<bool(scalar)>& good,
-    const string& allowed
-)
+//- system/contactProbeDict, as dustKeywords.H has it: path, models, kind, unit,
+//  default, allowed, meaning
+static const std::vector<dustKeywords::row>& rows()
 {
-    const scalarList values(dict.get<scalarList>(keyword));
-
-    if (values.empty())
-    {
-        dustProperties::error(dict, keyword, "is empty", allowed);
-    }
-    for (const scalar value : values)
-    {
-        check(dict, keyword, value, good(value), allowed);
-    }
-    return values;
+    static const std::vector<dustKeywords::row> table
+    ({
+        {"pairs", "", dustKeywords::other, "-", "", "( a.b ... )",
+            "materials that touch"},
+        {"diameter", "", dustKeywords::number, "m", "", ">=1e-10 <=1",
+            "of the sphere"},
+        {"partnerDiameter", "", dustKeywords::number, "m", "diameter",
+            ">=1e-10 <=1", "of the second sphere"},
+        {"velocities", "", dustKeywords::numbers, "m/s", "",
+            ">=1e-9 <=1e6", "relative speed of the two"},
+        {"wallRadius", "", dustKeywords::other, "m", "flat",
+            "as in patchCurvature", "of walls"},
+        {"angles", "", dustKeywords::numbers, "deg", "( 0 )", ">=0 <=89.99",
+            "from the normal"},
+        {"chi", "", dustKeywords::numbers, "-", "reducedStiffness/ratio",
+            ">=1e-9 <=1", "stiffness ratios"},
+        {"tangentialForce", "", dustKeywords::number, "N", "0",
+            "0 >=1e-30 <=1e6", "from touch on"},
+        {"duration", "", dustKeywords::number, "s", "50 windows",
+            ">=1e-15 <=1e6", "how long a held contact is watched"},
+        {"slipVelocity", "", dustKeywords::number, "m/s", "none",
+            ">=1e-9 <=1e6", "of the gas past a held particle"},
+        {"gasViscosity", "", dustKeywords::number, "Pa s", "none",
+            ">=1e-9 <=1e6", "for the limit pullOffOverForce"},
+        {"curve", "", dustKeywords::block, "-", "none: the defaults", "",
+            "of the option -curve"},
+        {"curve/points", "", dustKeywords::integer, "-", "200",
+            ">=10 <=1000000", "of each branch"},
+        {"curve/overlaps", "", dustKeywords::numbers, "m",
+            "that of the fastest impact", ">=-1 <=1", "turning points"}
+    });
+    return table;
 }
 
 } // End namespace Foam
@@ -158,21 +169,11 @@ Foam::probeSettings::probeSettings
     const std::vector<dem::Material>& materials
 )
 {
-    dustProperties::checkKeywords
-    (
-        dict,
-        {
-            "FoamFile", "pairs", "diameter", "partnerDiameter", "velocities",
-            "wallRadius", "angles", "chi", "tangentialForce", "duration",
-            "slipVelocity", "gasViscosity", "curve"
-        }
-    );
-
+    dustKeywords::check(dict, rows());
     readPairs(dict, patchMaterials, materials);
 
     diameter_ = dict.get<scalar>("diameter");
-    check(dict, "diameter", diameter_, diameter_ > 0, "> 0 m");
-    partnerDiameter_ = positiveOr(dict, "partnerDiameter", diameter_, "m");
+    partnerDiameter_ = dict.lookupOrDefault("partnerDiameter", diameter_);
 
     if (dict.found("wallRadius"))
     {
@@ -199,44 +200,14 @@ Foam::probeSettings::probeSettings
         }
     }
 
-    velocities_ = checkedList
-    (
-        dict,
-        "velocities",
-        [](const scalar v) { return v > 0 && v < GREAT; },
-        "( v1 v2 ... ), each > 0 m/s"
-    );
-    angles_ =
-        dict.found("angles")
-      ? checkedList
-        (
-            dict,
-            "angles",
-            [](const scalar a) { return a >= 0 && a < 90; },
-            "( a1 a2 ... ), each from 0 to below 90 degrees"
-        )
-      : scalarList(1, Zero);
-
-    if (dict.found("chi"))
-    {
-        chi_ = checkedList
-        (
-            dict,
-            "chi",
-            [](const scalar c) { return c > 0 && c <= 1; },
-            "( chi1 chi2 ... ), each above 0, at most 1"
-        );
-    }
+    velocities_ = dict.get<scalarList>("velocities");
+    angles_ = dict.lookupOrDefault("angles", scalarList(1, Zero));
+    dict.readIfPresent("chi", chi_);
 
     tangentialForce_ = dict.lookupOrDefault<scalar>("tangentialForce", 0);
-    check
-    (
-        dict, "tangentialForce", tangentialForce_, tangentialForce_ >= 0,
-        ">= 0 N"
-    );
-    duration_ = positiveOr(dict, "duration", 0, "s");
-    slipVelocity_ = positiveOr(dict, "slipVelocity", 0, "m/s");
-    gasViscosity_ = positiveOr(dict, "gasViscosity", 0, "Pa s");
+    duration_ = dict.lookupOrDefault<scalar>("duration", 0);
+    slipVelocity_ = dict.lookupOrDefault<scalar>("slipVelocity", 0);
+    gasViscosity_ = dict.lookupOrDefault<scalar>("gasViscosity", 0);
     if ((slipVelocity_ > 0) != (gasViscosity_ > 0))
     {
         dustProperties::error
@@ -249,22 +220,20 @@ Foam::probeSettings::probeSettings
     }
 
     const dictionary& curve = dict.subOrEmptyDict("curve");
-    dustProperties::checkKeywords(curve, {"points", "overlaps"});
     curvePoints_ = curve.lookupOrDefault<label>("points", 200);
-    check
-    (
-        curve, "points", curvePoints_, curvePoints_ >= 10,
-        "a number of points, 10 or more"
-    );
-    if (curve.found("overlaps"))
+    if (curve.readIfPresent("overlaps", curveOverlaps_))
     {
-        curveOverlaps_ = checkedList
-        (
-            curve,
-            "overlaps",
-            [this](const scalar d) { return d > -diameter_ && d < 0.4*diameter_; },
-            "( d1 d2 ... ) [m], each below 0.4 of the diameter"
-        );
+        for (const scalar d : curveOverlaps_)
+        {
+            if (d <= -diameter_ || d >= 0.4*diameter_)
+            {
+                dustProperties::error
+                (
+                    curve, "overlaps", "is " + Foam::name(d),
+                    "( d1 d2 ... ) [m], each below 0.4 of the diameter"
+                );
+            }
+        }
     }
 }
 

@@ -286,7 +286,11 @@ void printEquilibrium(const pairSeries& series)
         "pull-off force F_C", "N", soft,
         [](const contactPair& p) { return p.figures(0).pullOff; }
     );
-    if (!series.pair.curvature.flat())
+    if
+    (
+        !series.pair.curvature.flat()
+     && soft.front().figures(0).pullOff > 0
+    )
     {
         printRow
         (
