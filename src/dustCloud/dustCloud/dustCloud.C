@@ -22,6 +22,8 @@ License
 #include "dustCloudData.H"
 #include "dustSnapshot.H"
 #include "caseCheck.H"
+#include "dictionaryLines.H"
+#include "dustKeywords.H"
 #include "modelTable.H"
 #include "patchWalls.H"
 #include "runForecast.H"
@@ -72,8 +74,8 @@ const Foam::word& Foam::dustCloud::checkInput
             false
         )
     );
-
     reading.clear();
+    dictionaryLines::share(properties);
 
     // Throws away what it reads: only the messages matter here. All keywords
     // are checked by it.
@@ -196,7 +198,7 @@ void Foam::dustCloud::addArrival(dustParcel& p)
             dem_->parcels.settled(p);
         }
     }
-    catch (const dem::inputError& e)
+    catch (const std::runtime_error& e)     // either of the DEM library
     {
         FatalErrorInFunction << "Particle " << p.origProc() << ':'
             << p.origId() << " at " << p.x() << ", diameter " << p.d()
@@ -240,10 +242,10 @@ void Foam::dustCloud::decideCoupling()
     demData& d = *dem_;
     const dictionary& dict = particleProperties_;
 
-    d.coupling = dict.lookupOrDefault<word>("coupling", "auto");
-    d.gas = dict.lookupOrDefault<word>("gas", "auto");
+    d.coupling = dustKeywords::wordOf(dict, "coupling");
+    d.gas = dustKeywords::wordOf(dict, "gas");
     d.massLoadingLimit =
-        dict.lookupOrDefault<scalar>("couplingMassLoading", 0.02);
+        dustKeywords::numberOf(dict, "couplingMassLoading");
 
     if (d.coupling == "auto")
     {
@@ -359,11 +361,8 @@ Foam::dustCloud::dustCloud
     );
 
     d.startTime = d.now = d.clock = mesh_.time().value();
-    d.progressInterval = particleProperties_.lookupOrDefault<scalar>
-    (
-        "progressInterval",
-        5
-    );
+    d.progressInterval =
+        dustKeywords::numberOf(particleProperties_, "progressInterval");
     d.dispersion =
         subModelProperties_.get<word>("dispersionModel") != "none";
     findOwnForces();

@@ -20,6 +20,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "dustCloudData.H"
+#include "masterFirst.H"
 #include "dustSnapshot.H"
 #include "contactWriter.H"
 #include "loadFiles.H"
@@ -67,6 +68,7 @@ void Foam::dustCloud::checkCounters() const
 
     if (found != expected)
     {
+        masterFirst();
         FatalErrorInFunction
             << "The files of time " << mesh_.time().timeName()
             << " do not belong together: " << outputProperties_.objectPath()

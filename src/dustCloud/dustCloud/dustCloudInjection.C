@@ -25,6 +25,7 @@ License
 
 #include "distributionModel.H"
 #include "OStringStream.H"
+#include "Tuple2.H"
 #include "InjectionModelList.H"
 #include "DispersionModel.H"
 #include "PatchInteractionModel.H"
@@ -263,28 +264,38 @@ Foam::List<Foam::dustCloud::obstacle> Foam::dustCloud::findObstacles
         dem_->system->entrance(places, 0, largest, 0)
     );
 
-    // With walls and with the particles of every rank
-    scalarList mine(candidates.size());
-    List<obstacle> obstacles(candidates.size());
+    // With walls and with the particles of every rank. All say the same
+    typedef Tuple2<scalar, string> overlapOf;
+    List<overlapOf> found(candidates.size());
     forAll(candidates, i)
     {
         const candidate& c = candidates[i];
         std::string wall;
-        mine[i] = entrance.overlap(toVec3(c.x), 0.5*c.d, 0, wall);
-        obstacles[i].what =
-            wall.empty() ? "another particle" : "patch " + wall;
+        const scalar overlap =
+            entrance.overlap(toVec3(c.x), 0.5*c.d, 0, wall);
+        found[i] = overlapOf
+        (
+            overlap, wall.empty() ? "another particle" : "patch " + wall
+        );
     }
-    scalarList overlaps(mine);
-    Pstream::listCombineGather(overlaps, maxEqOp<scalar>());
-    Pstream::listCombineScatter(overlaps);
+    const auto larger = [](overlapOf& x, const overlapOf& y)
+    {
+        if
+        (
+            y.first() > x.first()
+         || (y.first() == x.first() && y.second() > x.second())
+        )
+        {
+            x = y;
+        }
+    };
+    Pstream::listCombineGather(found, larger);
+    Pstream::listCombineScatter(found);
 
+    List<obstacle> obstacles(candidates.size());
     forAll(obstacles, i)
     {
-        obstacles[i].overlap = overlaps[i];
-        if (mine[i] < overlaps[i])
-        {
-            obstacles[i].what = "another particle";
-        }
+        obstacles[i] = {found[i].first(), found[i].second()};
     }
     return obstacles;
 }

@@ -395,14 +395,15 @@ void Foam::dustCloud::moveOn
         d.system->setTime(d.now);
         insert(dt);
 
-        const stopwatch forcing;
-        setGasLoads(td, whole, begins);
-        d.forceSeconds += forcing.seconds();
-
-        const stopwatch moving;
         try
         {
+            const stopwatch forcing;
+            setGasLoads(td, whole, begins);
+            d.forceSeconds += forcing.seconds();
+
+            const stopwatch moving;
             d.gasStep.add(d.system->advance(dt));
+            d.demSeconds += moving.seconds();
         }
         catch (const dem::numericalError& e)
         {
@@ -410,8 +411,6 @@ void Foam::dustCloud::moveOn
                 << "The DEM system cannot go on: " << e.what()
                 << exit(FatalError);
         }
-        d.demSeconds += moving.seconds();
-
         const stopwatch tracking;
         d.now = dt < left ? d.now + dt : end;
         const UList<dustParcel*>& moved = d.parcels.changed(*d.system);

@@ -22,6 +22,7 @@ License
 
 #include "dustCloudData.H"
 #include "loadFiles.H"
+#include "masterFirst.H"
 #include "parcelChecksums.H"
 #include "restartCheck.H"
 
@@ -48,6 +49,7 @@ void Foam::dustCloud::checkLedger() const
 
     if (some && !returnReduce(found, andOp<bool>()))
     {
+        masterFirst();
         FatalErrorInFunction
             << "The files of time " << mesh_.time().timeName()
             << " do not belong together: " << path.c_str()
@@ -61,6 +63,7 @@ void Foam::dustCloud::checkLedger() const
 
     if (!some && returnReduce(ours, orOp<bool>()))
     {
+        masterFirst();
         FatalErrorInFunction
             << "The files of time " << mesh_.time().timeName()
             << " do not belong together: lagrangian/" << name()
@@ -83,6 +86,7 @@ void Foam::dustCloud::checkLedger() const
     const label version = ledger.lookupOrDefault<label>("version", 1);
     if (version != ledgerVersion)
     {
+        masterFirst();
         FatalErrorInFunction
             << path.c_str() << " of time " << mesh_.time().timeName()
             << " has version " << version << nl
@@ -91,6 +95,7 @@ void Foam::dustCloud::checkLedger() const
     }
     if (!ledger.lookupOrDefault("complete", false))
     {
+        masterFirst();
         FatalErrorInFunction
             << "The files of time " << mesh_.time().timeName()
             << " are not complete: " << path.c_str() << " is cut short" << nl
@@ -144,6 +149,7 @@ void Foam::dustCloud::checkSums(const dictionary& ledger) const
 
     if (timeIndex != time.timeIndex())
     {
+        masterFirst();
         FatalErrorInFunction
             << "The files of time " << time.timeName()
             << " do not belong together: uniform/time has the index "
@@ -181,6 +187,7 @@ void Foam::dustCloud::checkSums(const dictionary& ledger) const
     {
         changed = wordList(1, "identity");
     }
+    masterFirst();
     FatalErrorInFunction
         << "The files of time " << time.timeName() << " are not as dustFoam"
         << " has written them: ";

@@ -20,6 +20,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "dustCloudData.H"
+#include "masterFirst.H"
 #include "dragRange.H"
 #include "dustSnapshot.H"
 #include "formatted.H"
@@ -248,6 +249,7 @@ void Foam::dustCloud::checkBalance() const
 
     if (injected_.count != n[0] + escaped().count || n[0] != n[1])
     {
+        masterFirst();
         FatalErrorInFunction
             << "Time " << mesh_.time().timeName() << ": the particle balance"
             << " does not close: injected " << injected_.count
@@ -325,6 +327,7 @@ void Foam::dustCloud::summarise()
 
     if (!summary.closes)
     {
+        masterFirst();
         FatalErrorInFunction
             << "The particle balance does not close: in the cloud " << inCloud
             << ", airborne " << airborne.count << ", deposited "

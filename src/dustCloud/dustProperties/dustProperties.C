@@ -20,8 +20,10 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "dustProperties.H"
+#include "dictionaryLines.H"
 #include "formatted.H"
 #include "dustKeywords.H"
+#include "masterFirst.H"
 #include "Switch.H"
 #include "stringOps.H"
 #include "error.H"
@@ -33,23 +35,24 @@ License
 namespace Foam
 {
 
-//- FatalIOError that names the file and the given lines
+//- FatalIOError that names the file and the lines of an entry
 static void fatal
 (
     const dictionary& dict,
-    const label startLine,
-    const label endLine,
+    const word& keyword,
     const string& message
 )
 {
+    const dictionaryLines::place where(dictionaryLines::of(dict, keyword));
+    masterFirst();
     FatalIOError
     (
         FUNCTION_NAME,
         __FILE__,
         __LINE__,
-        dict.name(),
-        startLine,
-        endLine
+        where.file,
+        where.lines.first(),
+        where.lines.second()
     )   << message.c_str() << exit(FatalIOError);
 }
 
@@ -145,6 +148,10 @@ dem::PartSettings Foam::dustProperties::readPart
     }
 
     const dictionary& partDict = ePtr->dict();
+    if (!partDict.found("model"))
+    {
+        error(partDict, "model", "is missing", "a law, or none");
+    }
     part.model = partDict.get<word>("model");
 
     for (const entry& e : partDict)
@@ -235,8 +242,7 @@ void Foam::dustProperties::readContact()
             fatal
             (
                 contact,
-                e.startLineNumber(),
-                e.endLineNumber(),
+                e.keyword(),
                 "keyword '" + name + "' in " + contact.dictName()
               + ": no such pair of materials\n    allowed: default, or "
                 "\"a.b\" { ... } of the materials " + names
@@ -286,11 +292,15 @@ void Foam::dustProperties::readReducedStiffness()
         softening_.ratio = automaticRatio_ ? 1 : ratio.number();
     }
 
-    softening_.scaleSurfaceEnergy =
-        dict.lookupOrDefault<word>("surfaceEnergy", "scaled") == "scaled";
-
-    softening_.scaleResistance =
-        dict.lookupOrDefault<word>("resistance", "original") == "scaled";
+    if (dict.found("surfaceEnergy"))
+    {
+        softening_.scaleSurfaceEnergy =
+            dict.get<word>("surfaceEnergy") == "scaled";
+    }
+    if (dict.found("resistance"))
+    {
+        softening_.scaleResistance = dict.get<word>("resistance") == "scaled";
+    }
 
     const dictionary& limits = dict.subOrEmptyDict("limits");
 
@@ -299,7 +309,10 @@ void Foam::dustProperties::readReducedStiffness()
     limits.readIfPresent("ratio", limits_.ratio);
     limits.readIfPresent("loadFactor", limits_.loadFactor);
 
-    const word then(limits.lookupOrDefault<word>("onViolation", "warn"));
+    const word then
+    (
+        dustKeywords::wordOf(limits, "reducedStiffness/limits/onViolation")
+    );
     limits_.stop = then == "stop";
     limits_.stiffen = then == "stiffen";
     if (limits_.stiffen && !softening_.scaleSurfaceEnergy)
@@ -322,8 +335,8 @@ void Foam::dustProperties::readTimeIntegration()
 
     dict.readIfPresent("stepsPerContact", time_.stepsPerContact);
     dict.readIfPresent("restTolerance", time_.restTolerance);
-    time_.islands = dict.lookupOrDefault<Switch>("islands", true);
-    time_.energyLedger = dict.lookupOrDefault<Switch>("energyLedger", false);
+    dict.readIfPresent("islands", time_.islands);
+    dict.readIfPresent("energyLedger", time_.energyLedger);
 }
 
 
@@ -350,7 +363,10 @@ Foam::string Foam::dustProperties::askedRatio() const
     const dictionary& dict = dict_.subOrEmptyDict("reducedStiffness");
     if (!automaticRatio_)
     {
-        return Foam::name(dict.lookupOrDefault<scalar>("ratio", 1));
+        return Foam::name
+        (
+            dict.lookupOrDefault("ratio", dem::ReducedStiffness().ratio)
+        );
     }
     return formatted
     (
@@ -406,8 +422,7 @@ void Foam::dustProperties::checkKeywords
             fatal
             (
                 dict,
-                e.startLineNumber(),
-                e.endLineNumber(),
+                e.keyword(),
                 "unknown keyword '" + e.keyword() + "' in " + dict.dictName()
               + "\n    allowed: "
               + (valid.empty() ? string("no keyword") : listed(valid))
@@ -425,28 +440,10 @@ void Foam::dustProperties::error
     const string& allowed
 )
 {
-    const entry* ePtr = dict.findEntry(keyword, keyType::LITERAL);
-    label start = ePtr ? ePtr->startLineNumber() : dict.startLineNumber();
-    label end = ePtr ? ePtr->endLineNumber() : dict.endLineNumber();
-
-    // An entry without a value, as `gravity;`, does not know its line: that of
-    // the dictionaries around it
-    for
-    (
-        const dictionary* d = &dict;
-        start < 0 && d != &dictionary::null;
-        d = &d->parent()
-    )
-    {
-        start = d->startLineNumber();
-        end = d->endLineNumber();
-    }
-
     fatal
     (
         dict,
-        start,
-        end,
+        keyword,
         "keyword '" + keyword + "' in " + dict.dictName() + ": " + reason
       + "\n    allowed: " + allowed
     );
@@ -460,7 +457,7 @@ void Foam::dustProperties::error
 )
 {
     const dictionary* where = &dict;
-    const entry* found = nullptr;
+    word keyword;
 
     for (const auto& part : stringOps::split(e.keyword, '/'))
     {
@@ -486,9 +483,9 @@ void Foam::dustProperties::error
         {
             break;
         }
-        found = next;
         if (!next->isDict())
         {
+            keyword = next->keyword();
             break;
         }
         where = &next->dict();
@@ -497,8 +494,7 @@ void Foam::dustProperties::error
     fatal
     (
         *where,
-        found ? found->startLineNumber() : where->startLineNumber(),
-        found ? found->endLineNumber() : where->endLineNumber(),
+        keyword,
         string("keyword '") + e.keyword + "': " + e.reason
       + "\n    allowed: " + e.allowed
     );

@@ -253,16 +253,6 @@ Foam::dustPatchInjection::dustPatchInjection
     start_(0),
     clock_(0, 1, 0, 0)
 {
-    dustProperties::checkKeywords
-    (
-        dict,
-        {
-            "type", "patch", "SOI", "parcelsPerSecond", "duration",
-            "parcelsTotal", "U0", "seed", "sizeDistribution", "injectorID",
-            "active", "parcelBasisType", "nParticle", "massTotal"
-        }
-    );
-
     checkInput(dict);
     clock_ = makeClock(dict);
 
