@@ -554,7 +554,6 @@ void Foam::dustCloud::evolve(const scalar gasSeconds)
 
     snapshotPtr_.reset();
     escapedInStep_.clear();
-    escapedInStep_.transfer(d.escapedLate);
     #if OPENFOAM >= 2006
     functions_.preEvolve(*tdPtr_);
     #else

@@ -303,7 +303,6 @@ bool Foam::dustCloud::writeObject
     // Writing fills buffers and counters, but changes no physics
     dustCloud& self = const_cast<dustCloud&>(*this);
 
-    self.catchUp();
     self.bringUp();
     for (dustParcel& p : self)
     {

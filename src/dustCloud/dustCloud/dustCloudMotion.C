@@ -20,8 +20,6 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "dustCloudData.H"
-#include "dustPatchInjection.H"
-#include "dustSnapshot.H"
 #include "parcelTracking.H"
 #include "startCells.H"
 
@@ -348,48 +346,41 @@ void Foam::dustCloud::settleStarts(const UList<dustParcel*>& starting)
 }
 
 
-bool Foam::dustCloud::mayStayBehind() const
-{
-    if (!gasFrozen_ || functions_.size())
-    {
-        return false;
-    }
-    forAll(injectors_, i)
-    {
-        if (!isA<dustPatchInjection>(injectors_[i]))
-        {
-            return false;
-        }
-    }
-    const Time& time = mesh_.time();
-    return
-        !time.writeTime()
-     && time.value() < time.endTime().value() - 0.5*time.deltaTValue();
-}
-
-
-void Foam::dustCloud::moveOn
-(
-    dustParcel::trackingData& td,
-    const bool stayBehind
-)
+void Foam::dustCloud::motion(dustParcel::trackingData& td)
 {
     demData& d = *dem_;
+
+    d.gasStep = dem::StepReport();
+
+    // Not the sum of all steps: a restarted run must have the same time
     const scalar end = mesh_.time().value();
+    d.now = end - solution_.trackTime();
+    if (twoWay_)
+    {
+        bringUp();
+        exchangePtr_->reset();
+        for (dustParcel& p : *this)
+        {
+            p.since() = d.now;
+            p.given() = Zero;
+            p.response() = 0;
+        }
+        d.clock = d.now;
+    }
+    if (!gasFrozen_)
+    {
+        d.insertion->newGas(end);
+    }
 
     while (d.now < end)
     {
         const scalar left = end - d.now;
-        if (!d.step.underWay())
+        const bool begins = !d.step.underWay();
+        if (begins)
         {
             d.step.begin(nextParticleStep(left));
+            ++d.particleSteps;
         }
-        if (stayBehind && d.step.left() > left)
-        {
-            return;
-        }
-        const bool begins = d.step.begins();
-        d.particleSteps += begins;
         const scalar whole = d.step.left();
         const scalar dt = d.step.go(left);
         d.system->setTime(d.now);
@@ -411,6 +402,7 @@ void Foam::dustCloud::moveOn
                 << "The DEM system cannot go on: " << e.what()
                 << exit(FatalError);
         }
+
         const stopwatch tracking;
         d.now = dt < left ? d.now + dt : end;
         const UList<dustParcel*>& moved = d.parcels.changed(*d.system);
@@ -418,60 +410,6 @@ void Foam::dustCloud::moveOn
         follow(moved, td, dt);
         d.trackSeconds += tracking.seconds();
     }
-}
-
-
-void Foam::dustCloud::catchUp()
-{
-    demData& d = *dem_;
-    if (!gasFrozen_ || !tdPtr_.valid() || d.now >= mesh_.time().value())
-    {
-        return;
-    }
-    const DynamicList<scalar> told(escapedInStep_);
-    escapedInStep_.clear();
-    d.gasStep = dem::StepReport();
-
-    moveOn(*tdPtr_, false);
-
-    d.totals.add(d.gasStep);
-    countEscapes();
-    d.escapedLate.append(escapedInStep_);
-    escapedInStep_ = told;
-    snapshotPtr_.reset();
-}
-
-
-void Foam::dustCloud::motion(dustParcel::trackingData& td)
-{
-    demData& d = *dem_;
-
-    d.gasStep = dem::StepReport();
-
-    const scalar end = mesh_.time().value();
-    if (!gasFrozen_)
-    {
-        // Not the sum of all steps: a restarted run must have the same time
-        d.now = end - solution_.trackTime();
-    }
-    if (twoWay_)
-    {
-        bringUp();
-        exchangePtr_->reset();
-        for (dustParcel& p : *this)
-        {
-            p.since() = d.now;
-            p.given() = Zero;
-            p.response() = 0;
-        }
-        d.clock = d.now;
-    }
-    if (!gasFrozen_)
-    {
-        d.insertion->newGas(end);
-    }
-
-    moveOn(td, mayStayBehind());
 
     if (!twoWay_)
     {

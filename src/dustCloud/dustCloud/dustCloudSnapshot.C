@@ -57,7 +57,6 @@ static scalarList gatherNumbers(const UList<scalar>& mine)
 const Foam::dustSnapshot& Foam::dustCloud::snapshot() const
 {
     const label timeIndex = mesh_.time().timeIndex();
-    const_cast<dustCloud&>(*this).catchUp();
 
     if (snapshotPtr_ && snapshotTimeIndex_ == timeIndex)
     {

@@ -263,7 +263,6 @@ void Foam::dustCloud::checkBalance() const
 
 void Foam::dustCloud::summarise()
 {
-    catchUp();
     checkBalance();
 
     demData& d = *dem_;
