@@ -224,6 +224,56 @@ RatioAdvice adviseRatio
 }
 
 
+RatioAdvice adviseRatio
+(
+    const MaterialTable& table, const std::vector<RatioDust>& dusts, const Walls& walls,
+    const RatioLimits& limits
+)
+{
+    RatioAdvice advice;
+    advice.chi = 0;
+    advice.loadFactor = limits.loadFactor;
+    const auto add = [&](const RatioAdvice& more)
+    {
+        advice.chi = std::max(advice.chi, more.chi);
+        for (const RatioNeed& n : more.needs)
+        {
+            const auto same = std::find_if
+            (
+                advice.needs.begin(), advice.needs.end(),
+                [&](const RatioNeed& other) { return other.limit == n.limit; }
+            );
+            if (same == advice.needs.end()) advice.needs.push_back(n);
+            else if (n.chi > same->chi) *same = n;
+        }
+    };
+
+    for (const RatioDust& dust : dusts)
+    {
+        add(adviseRatio(table, dust.material, ratioPartners(table, dust.material, walls), dust.loads, limits));
+        for (const RatioDust& other : dusts)
+        {
+            if (other.material == dust.material || other.loads.empty()) continue;
+            const RatioLoad& least = other.loads.front();
+            for (const RatioLoad& load : dust.loads)
+            {
+                // else the other one is the smaller, and its turn comes
+                if (other.loads.back().radius < load.radius) continue;
+                const double radius = std::max(load.radius, least.radius);
+                const double mass = least.mass*std::pow(radius/least.radius, 3);
+                const RatioPartner partner
+                {
+                    other.material, false, {}, table.pairName(dust.material, other.material),
+                    radius, mass
+                };
+                add(adviseRatio(table, dust.material, {partner}, {load}, limits));
+            }
+        }
+    }
+    return advice;
+}
+
+
 const RatioNeed& RatioAdvice::binding() const
 {
     return *std::max_element

@@ -107,6 +107,22 @@ RatioAdvice adviseRatio
     const std::vector<RatioLoad>& loads, const RatioLimits& limits
 );
 
+//- Particles of one material
+struct RatioDust
+{
+    int material;
+    std::vector<RatioLoad> loads;   // by size, the smallest first
+};
+
+//- The softest for all: each limit takes the stiffest that any of the materials asks for. A particle
+//  meets walls, those of its material and size, and of each other material the one whose size is the
+//  nearest; the smaller of two is the one that is held.
+RatioAdvice adviseRatio
+(
+    const MaterialTable& table, const std::vector<RatioDust>& dusts, const Walls& walls,
+    const RatioLimits& limits
+);
+
 //- While running: by how much of a margin more than needed chi is raised, so that not every look
 //  at a load that grows raises it again
 inline constexpr double stiffeningHeadroom = 1.2;

@@ -20,9 +20,10 @@ License
 \*---------------------------------------------------------------------------*/
 
 // First: includes DEM.hpp
-#include "dustProperties.H"
+#include "dustSizes.H"
 
 #include "caseCheck.H"
+#include "modelTable.H"
 
 #include "distributionModel.H"
 #include "fvMesh.H"
@@ -95,29 +96,32 @@ void Foam::caseCheck::density
     const dustProperties& dust
 )
 {
-    scalar density = 0;
-    for (const dem::Material& m : dust.materials())
-    {
-        density = m.name == dust.dustMaterial() ? m.density : density;
-    }
     const dictionary constants
     (
         properties.subOrEmptyDict("constantProperties")
     );
     scalar rho0;
-    if
-    (
-        constants.readIfPresent("rho0", rho0)
-     && mag(rho0 - density) > 1e-6*density
-    )
+    if (!constants.readIfPresent("rho0", rho0))
     {
-        dustProperties::error
+        return;
+    }
+    for (const word& name : dust.dustMaterials())
+    {
+        const scalar density = dust.density(dust.index(name));
+        if
         (
-            constants,
-            "rho0",
-            "differs from the density of the material " + dust.dustMaterial(),
-            Foam::name(density) + ", or no rho0"
-        );
+            (name == dust.dustMaterial() || dust.dustMaterial().empty())
+         && mag(rho0 - density) > 1e-6*density
+        )
+        {
+            dustProperties::error
+            (
+                constants,
+                "rho0",
+                "differs from the density of the material " + name,
+                Foam::name(density) + ", or no rho0"
+            );
+        }
     }
 }
 
@@ -173,18 +177,18 @@ void Foam::caseCheck::sizes() const
 }
 
 
-Foam::scalar Foam::caseCheck::due
+Foam::scalarList Foam::caseCheck::due
 (
-    const scalar meanDiameter,
+    const dustProperties& dust,
     const volVectorField& U
 ) const
 {
     const scalar deltaT = mesh_.time().deltaTValue();
-    scalar nExpected = 0;
+    scalarList nExpected(label(dust.materials().size()), Zero);
 
     for (const entry& e : injectors_)
     {
-        if (!e.isDict())
+        if (!modelTable::injects(e))
         {
             continue;
         }
@@ -192,6 +196,10 @@ Foam::scalar Foam::caseCheck::due
         const scalar rate =
             e.dict().lookupOrDefault<scalar>("parcelsPerSecond", 0);
         const scalar flow = inflow(e.dict(), U);
+
+        dustSizes sizes(dust);
+        sizes.addInjector(e.dict());
+        const scalar meanDiameter = sizes.kinds()[0].diameters[1];
         const scalar volume =
             constant::mathematical::pi/6*pow3(meanDiameter)*rate;
 
@@ -208,7 +216,7 @@ Foam::scalar Foam::caseCheck::due
                 << " them (at most 0.6 fits); parcelsPerSecond below "
                 << 0.1*flow/volume*rate << " leaves room" << nl;
         }
-        nExpected += n;
+        nExpected[dust.material(e.dict())] += n;
     }
     return nExpected;
 }

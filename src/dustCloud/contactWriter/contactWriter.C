@@ -114,7 +114,7 @@ void Foam::contactWriter::write
     mkDir(directory);
 
     std::vector<double> x, U, d, mass, isBond, overlap, force, pullOff;
-    std::vector<int64_t> id, state, cluster, patch;
+    std::vector<int64_t> id, state, material, cluster, patch;
     std::vector<int64_t> vertices, vertexEnds, lines, lineEnds;
 
     for (const auto& p : snapshot.particles)
@@ -128,6 +128,7 @@ void Foam::contactWriter::write
         mass.push_back(p.mass);
         id.push_back(p.id);
         state.push_back(p.state);
+        material.push_back(p.material);
         cluster.push_back(p.cluster);
         patch.push_back(p.patch);
 
@@ -172,6 +173,7 @@ void Foam::contactWriter::write
         << "<PointData>\n"
         << data.add("d", d) << data.add("mass", mass) << data.add("U", U, 3)
         << data.add("id", id) << data.add("state", state)
+        << data.add("material", material)
         << data.add("cluster", cluster) << data.add("patch", patch)
         << "</PointData>\n<CellData>\n"
         << data.add("isBond", isBond) << data.add("overlap", overlap)

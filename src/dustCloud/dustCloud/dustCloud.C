@@ -84,7 +84,7 @@ const Foam::word& Foam::dustCloud::checkInput
     const dictionary& subModels = properties.subDict("subModels");
 
     caseCheck::density(properties, materials);
-    modelTable::check(subModels, mesh);
+    modelTable::check(subModels, materials, mesh);
     caseCheck(subModels.subDict("injectionModels"), mesh).sizes();
     checkDispersion(subModels, U);
 
@@ -164,7 +164,7 @@ void Foam::dustCloud::addArrival(dustParcel& p)
 {
     dem::Particle particle;
     particle.id = p.id();
-    particle.material = dem_->material;
+    particle.material = int(p.material());
     particle.radius = 0.5*p.d();
     particle.mass = p.mass();
     particle.x = toVec3(p.x());
@@ -332,15 +332,12 @@ Foam::dustCloud::dustCloud
         false
     ),
     dem_(new demData(particleProperties_)),
-    density_(0),
     gasFrozen_(false),
     twoWay_(false),
     alphac_(alphac),
     denseDrag_(false),
     escaped_(mesh_.boundaryMesh().nNonProcessor()),
-    escaping_(escaped_.size()),
     nextId_(0),
-    injectionKey_(0),
     snapshotTimeIndex_(-1)
 {
     if (!solution_.active() || solution_.steadyState())
@@ -352,6 +349,8 @@ Foam::dustCloud::dustCloud
     }
 
     demData& d = *dem_;
+    d.escaping.setSize(escaped_.size());
+    d.escapingOf.setSize(label(d.properties.materials().size()));
 
     checkGas();
     d.gasSpeed = returnReduce
@@ -367,16 +366,9 @@ Foam::dustCloud::dustCloud
         subModelProperties_.get<word>("dispersionModel") != "none";
     findOwnForces();
 
-    for (const dem::Material& m : d.properties.materials())
-    {
-        if (m.name == d.properties.dustMaterial())
-        {
-            density_ = m.density;
-        }
-    }
     readParcels();
     findAgain();
-    readSizes();
+    readInjectors();
 
     if (d.properties.automaticRatio())
     {
@@ -392,8 +384,8 @@ Foam::dustCloud::dustCloud
     {
         wanted = stiffening::choose
         (
-            *this, d.properties, d.advice, d.loads, d.diameters, density_,
-            walls, outputProperties_
+            *this, d.properties, d.advice, d.loads, d.sizes, walls,
+            outputProperties_
         );
         d.system.reset
         (
@@ -404,7 +396,6 @@ Foam::dustCloud::dustCloud
                 d.comm.get()
             )
         );
-        d.material = d.system->materials().index(d.properties.dustMaterial());
         d.system->setWalls(std::move(walls));
         d.periodic = patchWalls::periodic(mesh_);
         if (d.periodic.on())
@@ -455,12 +446,14 @@ Foam::dustCloud::dustCloud
         particleProperties_.subDict("contact"),
         d.properties.softening().ratio, d.properties.automaticRatio()
     );
-    const scalar due =
+    const scalarList due
+    (
         caseCheck(subModelProperties_.subDict("injectionModels"), mesh_).due
         (
-            d.diameters[1], U_
-        );
-    runForecast(*this, *d.system, d.loads(), d.material, due).print(Info());
+            d.properties, U_
+        )
+    );
+    runForecast(*this, *d.system, d.loads(), due).print(Info());
 }
 
 

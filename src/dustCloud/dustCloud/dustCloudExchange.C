@@ -81,7 +81,7 @@ void Foam::dustCloud::prepareExchange()
 
 void Foam::dustCloud::setSmoothingWidth()
 {
-    scalar largest = dem_->diameters[2];
+    scalar largest = dem_->sizes.largest();
     for (const dustParcel& p : *this)
     {
         largest = max(largest, p.d());

@@ -47,6 +47,15 @@ void Foam::dustCloud::readCounters(const dictionary& ledger)
     ledger.readEntry("nextId", nextId_);
     dem_->step.read(ledger);
 
+    for (const entry& e : ledger.subDict("ofMaterial"))
+    {
+        demData::materialTally& t = dem_->ofMaterial(e.keyword());
+        e.dict().readEntry("injected", t.injected.count);
+        e.dict().readEntry("injectedMass", t.injected.mass);
+        e.dict().readEntry("escaped", t.escaped.count);
+        e.dict().readEntry("escapedMass", t.escaped.mass);
+    }
+
     for (const entry& e : ledger.subDict("escaped"))
     {
         const label patchi = mesh_.boundaryMesh().findPatchID(e.keyword());
@@ -118,6 +127,26 @@ void Foam::dustCloud::storeCounters()
         walls.append(mesh_.boundaryMesh()[patchi].name());
     }
     ledger.set("walls", walls);
+
+    wordList materials;
+    for (const dem::Material& m : dem_->properties.materials())
+    {
+        materials.append(word(m.name, false));
+    }
+    ledger.set("materials", materials);
+
+    dictionary ofMaterial;
+    for (const word& name : dem_->ofMaterial.sortedToc())
+    {
+        const demData::materialTally& t = dem_->ofMaterial[name];
+        dictionary dict;
+        dict.set("injected", t.injected.count);
+        dict.set("injectedMass", t.injected.mass);
+        dict.set("escaped", t.escaped.count);
+        dict.set("escapedMass", t.escaped.mass);
+        ofMaterial.set(name, dict);
+    }
+    ledger.set("ofMaterial", ofMaterial);
 
     dictionary escaped;
     const auto store = [&escaped](const word& name, const tally& t)

@@ -33,7 +33,6 @@ License
 #include "SurfaceFilmModel.H"
 
 #include <algorithm>
-#include <cstring>
 
 // * * * * * * * * * * * * * * * Local Classes * * * * * * * * * * * * * * * //
 
@@ -77,6 +76,14 @@ void Foam::dustCloud::prepareInsertion()
 }
 
 
+void Foam::dustCloud::countInjected(const label material, const scalar d)
+{
+    const scalar m = dem_->properties.mass(material, d);
+    injected_.add(m);
+    dem_->ofMaterial(dem_->properties.name(material)).injected.add(m);
+}
+
+
 void Foam::dustCloud::insert(const scalar dt)
 {
     demData& d = *dem_;
@@ -87,8 +94,8 @@ void Foam::dustCloud::insert(const scalar dt)
     DynamicList<dustParcel*> starting;
     for (const dustInsertion::newcomer& n : newcomers)
     {
-        ++injected_.count;
-        injected_.mass += density_*constant::mathematical::pi/6*pow3(n.d);
+        const label material = d.injectorMaterials[n.injector];
+        countInjected(material, n.d);
         if (n.celli < 0)
         {
             continue;
@@ -97,7 +104,8 @@ void Foam::dustCloud::insert(const scalar dt)
         dustParcel& p = *pPtr;
         p.typeId() = injectors_[n.injector].injectorID();
         p.nParticle() = 1;
-        p.rho() = density_;
+        p.material() = material;
+        p.rho() = d.properties.density(material);
         p.d() = n.d;
         p.U() = n.U;
         p.origProc() = n.injector + 1;
@@ -165,10 +173,10 @@ bool Foam::dustCloud::callInjectors
         }
         any = true;
 
-        // Keyed, so that a restart goes on as if there had been none; and for
-        // what is drawn for each parcel, see setParcelThermoProperties
-        injectionKey_ = seed(injectori, mesh_.time().timeIndex(), 1);
-        rndGen_ = Random(injectionKey_);
+        // For numbers that are drawn by lot; parcels have keys of their own,
+        // see completedModels.H
+        rndGen_ = Random(seed(injectori, mesh_.time().timeIndex(), 1));
+        dem_->injectedMaterial = dem_->injectorMaterials[injectori];
 
         injector.inject(*this, td);
 
@@ -336,9 +344,15 @@ bool Foam::dustCloud::admitted
         );
     }
 
-    tally& t = free ? injected_ : refused_;
-    ++t.count;
-    t.mass += density_*constant::mathematical::pi/6*pow3(c.d);
+    const label material = dem_->injectorMaterials[c.injector];
+    if (free)
+    {
+        countInjected(material, c.d);
+    }
+    else
+    {
+        refused_.add(dem_->properties.mass(material, c.d));
+    }
     return free;
 }
 
@@ -464,17 +478,11 @@ void Foam::dustCloud::inject(dustParcel::trackingData& td, const bool streams)
 void Foam::dustCloud::setParcelThermoProperties
 (
     parcelType& parcel,
-    const scalar lagrangianDt
+    const scalar
 )
 {
-    parcel.rho() = density_;
-
-    // Size and velocity are drawn next, on the parcel's rank only: from its
-    // time of injection, which no other of its injector has
-    label key[2];
-    static_assert(sizeof(key) >= sizeof(lagrangianDt), "32 bit each at least");
-    std::memcpy(key, &lagrangianDt, sizeof(lagrangianDt));
-    rndGen_ = Random(seed(injectionKey_, key[0], key[1]));
+    parcel.material() = dem_->injectedMaterial;
+    parcel.rho() = dem_->properties.density(dem_->injectedMaterial);
 }
 
 
@@ -513,43 +521,55 @@ void Foam::dustCloud::addArrivals()
 }
 
 
-void Foam::dustCloud::readSizes()
+void Foam::dustCloud::readInjectors()
 {
     demData& d = *dem_;
-    label n = 0;
+    const dictionary& injectors =
+        subModelProperties_.subDict("injectionModels");
 
-    for (const entry& e : subModelProperties_.subDict("injectionModels"))
+    // OpenFOAM puts one that does nothing where there is none
+    d.injectorMaterials.setSize(injectors_.size(), -1);
+    forAll(injectors_, i)
     {
-        if (!e.isDict() || !e.dict().found("sizeDistribution"))
+        const dictionary* dictPtr = injectors.findDict(injectors_[i].modelName());
+        if (dictPtr && dictPtr->get<word>("type") != "none")
+        {
+            d.injectorMaterials[i] = d.properties.material(*dictPtr);
+        }
+    }
+
+    for (const entry& e : injectors)
+    {
+        if (!modelTable::injects(e))
         {
             continue;
         }
-        Random random(0);
-        const autoPtr<distributionModel> sizes
-        (
-            distributionModel::New
-            (
-                e.dict().subDict("sizeDistribution"),
-                random
-            )
-        );
+        d.sizes.addInjector(e.dict());
 
-        d.diameters[0] =
-            n ? min(d.diameters[0], sizes->minValue()) : sizes->minValue();
-        d.diameters[1] = (n*d.diameters[1] + sizes->meanValue())/(n + 1);
-        d.diameters[2] = max(d.diameters[2], sizes->maxValue());
-        ++n;
-
-        // The mean cube by samples: no model tells it
-        const label nSamples = 1000;
-        scalar d3 = 0;
-        for (label i = 0; i < nSamples; ++i)
+        if (e.dict().found("sizeDistribution"))
         {
-            d3 += pow3(sizes->sample())/nSamples;
+            // The mean mass by samples: no model tells it
+            Random random(0);
+            const autoPtr<distributionModel> sizes
+            (
+                distributionModel::New
+                (
+                    e.dict().subDict("sizeDistribution"),
+                    random
+                )
+            );
+            const label material = d.properties.material(e.dict());
+            const label nSamples = 1000;
+            scalar meanMass = 0;
+            for (label i = 0; i < nSamples; ++i)
+            {
+                meanMass +=
+                    d.properties.mass(material, sizes->sample())/nSamples;
+            }
+            d.massFlow +=
+                e.dict().lookupOrDefault<scalar>("parcelsPerSecond", 0)
+               *meanMass;
         }
-        d.massFlow +=
-            e.dict().lookupOrDefault<scalar>("parcelsPerSecond", 0)
-           *density_*constant::mathematical::pi/6*d3;
     }
 }
 

@@ -420,33 +420,6 @@ void Foam::dustCloud::motion(dustParcel::trackingData& td)
 }
 
 
-void Foam::dustCloud::countEscapes()
-{
-    forAll(escaping_, patchi)
-    {
-        escaped_[patchi].count +=
-            returnReduce(escaping_[patchi].count, sumOp<label>());
-        escaped_[patchi].mass +=
-            returnReduce(escaping_[patchi].mass, sumOp<scalar>());
-    }
-    escaping_ = tally();
-
-    List<scalarList> diameters(Pstream::nProcs());
-    diameters[Pstream::myProcNo()] = escapingDiameters_;
-    #if OPENFOAM >= 2206
-    Pstream::allGatherList(diameters);
-    #else
-    Pstream::gatherList(diameters);
-    Pstream::scatterList(diameters);
-    #endif
-    escapingDiameters_.clear();
-    for (const scalarList& ofRank : diameters)
-    {
-        escapedInStep_.append(ofRank);
-    }
-}
-
-
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::vector Foam::dustCloud::way(const point& from, const point& to) const
@@ -519,19 +492,6 @@ void Foam::dustCloud::unpackLoad(dustParcel& p)
     p.kick() = vector(v[11], v[12], v[13]);
     p.loadHolds() = p.loadHolds() && dem_->step.underWay();
     dem_->system->setGasLoad(std::size_t(p.demIndex()), load);
-}
-
-
-void Foam::dustCloud::noteEscape(dustParcel& p, const label patchi)
-{
-    ++escaping_[patchi].count;
-    escaping_[patchi].mass += p.mass();
-    escapingDiameters_.append(p.d());
-
-    if (p.demIndex() >= 0)
-    {
-        dem_->parcels.leaves(p);
-    }
 }
 
 

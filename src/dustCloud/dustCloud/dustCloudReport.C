@@ -20,6 +20,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "dustCloudData.H"
+#include "contactTable.H"
 #include "dragRange.H"
 #include "patchCurvature.H"
 #include "dustSnapshot.H"
@@ -33,6 +34,7 @@ License
 #include "StochasticCollisionModel.H"
 #include "SurfaceFilmModel.H"
 
+#include <algorithm>
 #include <map>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -57,14 +59,9 @@ void Foam::dustCloud::printMaterials() const
 {
     demData& d = *dem_;
     const dem::MaterialTable& table = d.system->materials();
-    const int dust = d.material;
     const scalar chi = table.softening().ratio;
 
-    const scalar smallest = d.diameters[0];
-    const scalar mean = d.diameters[1];
-    const scalar largest = d.diameters[2];
-
-    if (largest <= 0)
+    if (d.sizes.largest() <= 0)
     {
         Info<< nl << "Contacts: diameters are not known yet, no table; chi "
             << chi << endl;
@@ -91,70 +88,10 @@ void Foam::dustCloud::printMaterials() const
             "deltaC_m", "lambda_T", "contact_s", "step_s", "stable_s"
         ).c_str() << nl;
 
-    for
+    contactTable
     (
-        const dem::RatioPartner& other
-      : dem::ratioPartners(table, dust, d.system->walls())
-    )
-    {
-        const int i = other.material;
-        const bool wall = other.wall;
-
-        for (const scalar diameter : {smallest, mean, largest})
-        {
-            const scalar mass =
-                density_*constant::mathematical::pi/6*pow3(diameter);
-            const dem::ContactFigures f = table.figures
-            (
-                dust,
-                i,
-                0.5*diameter,
-                wall ? -1 : 0.5*diameter,
-                mass,
-                wall ? 0 : mass,
-                speed,
-                other.curvature
-            );
-
-            Info<< formatted
-                (
-                    "  %-16s %9.3g %10.3g %10.3g %9.3g %9.3g %9.3g %9.3g "
-                    "%9.3g %9.3g %9.3g %9.3g",
-                    other.name.c_str(), diameter, f.pullOff, f.realPullOff,
-                    2*table.constants(dust, i).realGamma, f.a0, f.delta0,
-                    f.deltaC, f.tabor, f.impactTime,
-                    f.period/d.properties.time().stepsPerContact,
-                    f.stableStep
-                ).c_str() << nl;
-
-            // Half a radius: far beyond every law here, and what wrong
-            // units lead to
-            const scalar largestOverlap =
-                max(f.delta0, f.impactOverlap)/diameter;
-            if (largestOverlap > 0.25)
-            {
-                dustProperties::error
-                (
-                    particleProperties_.subDict("materials"),
-                    table.materials()[std::size_t(i)].name,
-                    formatted
-                    (
-                        "particles of %.3g m in contact %s overlap by "
-                        "%.3g diameters (chi %.3g, effective Young's "
-                        "modulus %.3g Pa): are the moduli in Pa, the "
-                        "sizes in m?",
-                        diameter,
-                        other.name.c_str(),
-                        largestOverlap,
-                        chi,
-                        table.constants(dust, i).E
-                    ),
-                    "materials and reducedStiffness/ratio with less than "
-                    "0.25 diameters"
-                );
-            }
-        }
-    }
+        *d.system, d.properties, particleProperties_.subDict("materials"), speed
+    ).print(d.sizes);
 
     printAdvice();
 }
@@ -240,19 +177,11 @@ void Foam::dustCloud::printPlan() const
     std::map<std::string, bool> parts;
     std::map<std::string, std::string> models;
 
-    for (int i = 0; i < int(table.materials().size()); ++i)
+    for (const labelPair& pair : d.sizes.meetings(d.system->walls()))
     {
-        bool met = i == d.material;
-        for (const dem::WallPatch& patch : d.system->walls().patches)
-        {
-            met = met || patch.material == i;
-        }
-        if (!met)
-        {
-            continue;
-        }
-
-        const dem::ContactSettings& s = table.settings(d.material, i);
+        const int dust = int(pair.first());
+        const int i = int(pair.second());
+        const dem::ContactSettings& s = table.settings(dust, i);
         const auto note = [&]
         (
             const std::string& part,
@@ -262,7 +191,7 @@ void Foam::dustCloud::printPlan() const
             parts[part] = parts[part] || settings.model != "none";
             std::string& text = models[part];
             const std::string name =
-                settings.model + " (" + table.pairName(d.material, i) + ")";
+                settings.model + " (" + table.pairName(dust, i) + ")";
             text += (text.empty() ? "" : ", ") + name;
         };
         note("normal", s.normal);
@@ -274,7 +203,7 @@ void Foam::dustCloud::printPlan() const
             adhesion
          || (
                 s.normal.model != "Hertz"
-             && table.constants(d.material, i).realGamma > 0
+             && table.constants(dust, i).realGamma > 0
             );
     }
     const bool spin = parts["tangential"] || parts["rolling"] || parts["twisting"];
@@ -285,16 +214,25 @@ void Foam::dustCloud::printPlan() const
 
     line("adhesion", adhesion, models["normal"]);
     string curved;
+    const dustSizes::kind& largestKind = *std::max_element
+    (
+        d.sizes.kinds().begin(),
+        d.sizes.kinds().end(),
+        [](const dustSizes::kind& a, const dustSizes::kind& b)
+        {
+            return a.diameters[2] < b.diameters[2];
+        }
+    );
     for (const dem::WallPatch& patch : d.system->walls().patches)
     {
-        if (!patch.curvature || !(d.diameters[2] > 0))
+        if (!patch.curvature || !(largestKind.diameters[2] > 0))
         {
             continue;
         }
-        const scalar r = 0.5*d.diameters[2];
+        const scalar r = 0.5*largestKind.diameters[2];
         const scalar R = table.wallRadius
         (
-            d.material, patch.material, *patch.curvature, r
+            int(largestKind.material), patch.material, *patch.curvature, r
         );
         curved += formatted
         (
@@ -366,16 +304,16 @@ void Foam::dustCloud::printPlan() const
           ? std::string("particleForces names no drag law: ballistic flight")
           : std::string(laws[0])
         );
-        if (laws.size() && d.diameters[0] > 0)
+        if (laws.size() && d.sizes.smallest() > 0)
         {
             const scalar air = 6.6e-8;      // 20 C, 1 atm
             const std::string remark = dragRange::slipRemark
             (
                 laws[0],
-                d.diameters[0],
+                d.sizes.smallest(),
                 forces.subOrEmptyDict(laws[0])
                .lookupOrDefault<scalar>("lambda", air),
-                formatted("the smallest particles, %.3g m,", d.diameters[0])
+                formatted("the smallest particles, %.3g m,", d.sizes.smallest())
             );
             if (!remark.empty())
             {
@@ -423,11 +361,11 @@ void Foam::dustCloud::printPlan() const
       ? std::string("in flight and in contact, not at rest")
       : "particleForces has no brownianMotion"
       + (
-            d.diameters[0] > 0 && d.diameters[0] < 1e-6
+            d.sizes.smallest() > 0 && d.sizes.smallest() < 1e-6
           ? formatted
             (
                 "; it matters below 1e-6 m, smallest d %.3g m",
-                d.diameters[0]
+                d.sizes.smallest()
             )
           : std::string()
         )

@@ -124,10 +124,11 @@ void Foam::dustCloud::readParcels()
         loadFiles::read(*this);
     }
 
-    const restartCheck check(*this, density_, nWalls, ledgerPtr);
+    const restartCheck check(*this, dem_->properties, nWalls, ledgerPtr);
     if (ledgerPtr)
     {
         checkSums(*ledgerPtr);
+        readMaterials(*ledgerPtr);
     }
     check.values();
     if (ledgerPtr)
@@ -221,6 +222,14 @@ void Foam::dustCloud::adoptParcels()
     Pstream::listCombineGather(sizes, plusEqOp<label>());
     Pstream::listCombineScatter(sizes);
 
+    const label total = sum(sizes);
+    if (!total)
+    {
+        return;
+    }
+    const label material =
+        dem_->properties.defaultMaterial(particleProperties_, "dustMaterial");
+
     for (label proci = 0; proci < offset; ++proci)
     {
         nextId_ += sizes[proci];
@@ -229,12 +238,59 @@ void Foam::dustCloud::adoptParcels()
     {
         p.origProc() = 0;
         p.origId() = nextId_++;
-        p.rho() = density_;
+        p.material() = material;
+        p.rho() = dem_->properties.density(material);
     }
-    nextId_ = sum(sizes);
+    nextId_ = total;
 
     injected_.count = nextId_;
     injected_.mass = returnReduce(massInSystem(), sumOp<scalar>());
+    dem_->ofMaterial(dem_->properties.name(material)).injected = injected_;
+}
+
+
+void Foam::dustCloud::readMaterials(const dictionary& ledger)
+{
+    const dustProperties& properties = dem_->properties;
+    const wordList then(ledger.get<wordList>("materials"));
+    labelList now(then.size());
+    forAll(then, i)
+    {
+        now[i] =
+            properties.dustMaterials().found(then[i])
+          ? properties.index(then[i])
+          : -1;
+    }
+
+    for (dustParcel& p : *this)
+    {
+        if (p.material() < 0 || p.material() >= then.size())
+        {
+            FatalErrorInFunction
+                << fieldIOobject("material", IOobject::NO_READ).objectPath()
+                << ": particle " << p.origProc() << ':' << p.origId()
+                << " is of material " << p.material() << nl
+                << "    allowed: 0 to " << then.size() - 1
+                << ", the materials of the ledger" << nl
+                << "    Restore it, or start from another time"
+                << exit(FatalError);
+        }
+        const label material = now[p.material()];
+        if (material < 0)
+        {
+            dustProperties::error
+            (
+                particleProperties_,
+                "materials",
+                "time " + mesh_.time().timeName() + " has particles of "
+              + then[p.material()]
+              + ", and no material with a density has that name",
+                then[p.material()] + " with its density, besides "
+              + dustProperties::listed(properties.dustMaterials())
+            );
+        }
+        p.material() = material;
+    }
 }
 
 

@@ -91,7 +91,7 @@ const Foam::dustSnapshot& Foam::dustCloud::snapshot() const
         mine.append(p.state());
         mine.append(scalar(cluster.root));
         mine.append(cluster.onWall);
-        mine.append(0);
+        mine.append(p.material());
     }
 
     const scalarList particles(gatherNumbers(mine));
@@ -137,6 +137,7 @@ const Foam::dustSnapshot& Foam::dustCloud::snapshot() const
                 v[7],
                 v[8],
                 label(v[9]),
+                label(v[12]),
                 int64_t(v[10]),
                 v[11] > 0.5 ? 0 : -1,
                 point(v[1], v[2], v[3])

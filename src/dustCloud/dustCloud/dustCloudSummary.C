@@ -126,16 +126,16 @@ void Foam::dustCloud::setBalance
 )
 {
     std::map<label, tally> patches;
+    HashTable<tally> flying, held;
     std::map<int64_t, label> members;
     for (const auto& p : snapshot().particles)
     {
-        tally& where = p.patch < 0 ? airborne : deposited;
-        ++where.count;
-        where.mass += p.mass;
+        const word material(dem_->properties.name(p.material));
+        (p.patch < 0 ? airborne : deposited).add(p.mass);
+        (p.patch < 0 ? flying : held)(material).add(p.mass);
         if (p.patch >= 0)
         {
-            ++patches[p.patch].count;
-            patches[p.patch].mass += p.mass;
+            patches[p.patch].add(p.mass);
         }
         ++members[p.cluster];
     }
@@ -152,14 +152,26 @@ void Foam::dustCloud::setBalance
     {
         return mesh_.boundaryMesh()[i].name();
     };
+    const wordList materials(dem_->ofMaterial.sortedToc());
+    const auto rowsOf = [&](const auto& amount)
+    {
+        for (label i = 0; materials.size() > 1 && i < materials.size(); ++i)
+        {
+            row("  of " + materials[i], amount(materials[i]));
+        }
+    };
     row("injected", injected_);
+    rowsOf([&](const word& m) { return dem_->ofMaterial[m].injected; });
     row("airborne", airborne);
+    rowsOf([&](const word& m) { return flying(m); });
     row("deposited", deposited);
+    rowsOf([&](const word& m) { return held(m); });
     for (const auto& p : patches)
     {
         row("  on " + patch(p.first), p.second);
     }
     row("escaped", escaped());
+    rowsOf([&](const word& m) { return dem_->ofMaterial[m].escaped; });
     forAll(escaped_, patchi)
     {
         if (escaped_[patchi].count)
@@ -239,6 +251,45 @@ void Foam::dustCloud::printVerdict
 }
 
 
+void Foam::dustCloud::countEscapes()
+{
+    demData& d = *dem_;
+    const auto addAll = [](tally& all, const tally& mine)
+    {
+        all.count += returnReduce(mine.count, sumOp<label>());
+        all.mass += returnReduce(mine.mass, sumOp<scalar>());
+    };
+    forAll(d.escaping, patchi)
+    {
+        addAll(escaped_[patchi], d.escaping[patchi]);
+    }
+    d.escaping = tally();
+    for (const dustSizes::kind& kind : d.sizes.kinds())
+    {
+        addAll
+        (
+            d.ofMaterial(d.properties.name(kind.material)).escaped,
+            d.escapingOf[kind.material]
+        );
+    }
+    d.escapingOf = tally();
+
+    List<scalarList> diameters(Pstream::nProcs());
+    diameters[Pstream::myProcNo()] = d.escapingDiameters;
+    #if OPENFOAM >= 2206
+    Pstream::allGatherList(diameters);
+    #else
+    Pstream::gatherList(diameters);
+    Pstream::scatterList(diameters);
+    #endif
+    d.escapingDiameters.clear();
+    for (const scalarList& ofRank : diameters)
+    {
+        escapedInStep_.append(ofRank);
+    }
+}
+
+
 void Foam::dustCloud::checkBalance() const
 {
     labelList n(2);
@@ -260,6 +311,20 @@ void Foam::dustCloud::checkBalance() const
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::dustCloud::noteEscape(dustParcel& p, const label patchi)
+{
+    demData& d = *dem_;
+    d.escaping[patchi].add(p.mass());
+    d.escapingOf[p.material()].add(p.mass());
+    d.escapingDiameters.append(p.d());
+
+    if (p.demIndex() >= 0)
+    {
+        d.parcels.leaves(p);
+    }
+}
+
 
 void Foam::dustCloud::summarise()
 {

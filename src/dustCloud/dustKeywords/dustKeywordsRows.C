@@ -86,7 +86,7 @@ void Foam::dustKeywords::addCaseRows(std::vector<row>& t)
         {"materials/*/surfaceEnergy", "", number, "J/m2", "",
             "0 >=1e-9 <=1e6", "of one surface: half the work of adhesion"},
         {"dustMaterial", "", name, "-", "the one with a density", "",
-            "material of the particles, where several have a density"},
+            "material of particles whose injector names none"},
         {"patchMaterials", "", block, "-", "none", "",
             "materials of the wall patches"},
         {"patchMaterials/*", "", name, "-", "none", "",
@@ -353,6 +353,8 @@ void Foam::dustKeywords::addInjectionRows(std::vector<row>& t)
         {i + "nParticle", "", number, "-", "1", "1", "a parcel is a particle"},
         {i + "minParticlesPerParcel", "", number, "-", "1", "1",
             "a parcel is a particle"},
+        {i + "material", "", name, "-", "dustMaterial", "",
+            "of materials, one with a density: what its particles are of"},
         {i + "injectorID", "", integer, "-", "-1", "", "of OpenFOAM's files"},
         {i + "active", "", flag, "-", "on", "", "of OpenFOAM"}
     });

@@ -62,6 +62,7 @@ Foam::dustParcel::dustParcel
     response_(0),
     held_(false),
     loadHolds_(false),
+    material_(-1),
     load_(scalar(0)),
     blob_(),
     demIndex_(-1),
@@ -89,6 +90,7 @@ Foam::dustParcel::dustParcel
     response_(0),
     held_(false),
     loadHolds_(false),
+    material_(-1),
     load_(scalar(0)),
     blob_(),
     demIndex_(-1),
@@ -117,6 +119,7 @@ Foam::dustParcel::dustParcel
     response_(0),
     held_(false),
     loadHolds_(false),
+    material_(-1),
     load_(scalar(0)),
     blob_(),
     demIndex_(-1),
@@ -130,7 +133,7 @@ Foam::dustParcel::dustParcel
         if (is.format() == IOstream::ASCII)
         {
             is >> omega_ >> x_ >> state_ >> moved_ >> owed_ >> given_
-                >> response_ >> held_ >> loadHolds_ >> load_;
+                >> response_ >> held_ >> loadHolds_ >> material_ >> load_;
         }
         else
         {
@@ -155,6 +158,7 @@ Foam::dustParcel::dustParcel(const dustParcel& p, const polyMesh& mesh)
     response_(p.response_),
     held_(p.held_),
     loadHolds_(p.loadHolds_),
+    material_(p.material_),
     load_(p.load_),
     blob_(p.blob_),
     demIndex_(-1),
@@ -207,6 +211,7 @@ Foam::Ostream& Foam::operator<<(Ostream& os, const dustParcel& p)
             << token::SPACE << p.response_
             << token::SPACE << p.held_
             << token::SPACE << p.loadHolds_
+            << token::SPACE << p.material_
             << token::SPACE << p.load_;
     }
     else

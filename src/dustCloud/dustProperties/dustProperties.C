@@ -24,6 +24,7 @@ License
 #include "formatted.H"
 #include "dustKeywords.H"
 #include "masterFirst.H"
+#include "mathematicalConstants.H"
 #include "Switch.H"
 #include "stringOps.H"
 #include "error.H"
@@ -64,8 +65,6 @@ static void fatal
 void Foam::dustProperties::readMaterials()
 {
     const dictionary& materials = dict_.subDict("materials");
-    wordList withDensity;
-
     for (const entry& e : materials)
     {
         const dictionary& dict = e.dict();
@@ -80,13 +79,13 @@ void Foam::dustProperties::readMaterials()
 
         if (dict.found("density"))
         {
-            withDensity.append(e.keyword());
+            dustMaterials_.append(e.keyword());
         }
     }
 
     if (dict_.readIfPresent("dustMaterial", dustMaterial_))
     {
-        if (!withDensity.found(dustMaterial_))
+        if (!dustMaterials_.found(dustMaterial_))
         {
             error
             (
@@ -94,26 +93,22 @@ void Foam::dustProperties::readMaterials()
                 "dustMaterial",
                 "no material with a density has the name '"
               + dustMaterial_ + "'",
-                listed(withDensity)
+                listed(dustMaterials_)
             );
         }
     }
-    else if (withDensity.size() == 1)
+    else if (dustMaterials_.size() == 1)
     {
-        dustMaterial_ = withDensity[0];
+        dustMaterial_ = dustMaterials_[0];
     }
-    else
+    else if (dustMaterials_.empty())
     {
         error
         (
             dict_,
             "materials",
-            withDensity.empty()
-          ? "the particles' material needs a density, but none is given"
-          : "several materials have a density: say which one is the particles'",
-            withDensity.empty()
-          ? "density in one of them"
-          : "dustMaterial followed by one of " + listed(withDensity)
+            "the particles' material needs a density, but none is given",
+            "density in one of them"
         );
     }
 }
@@ -375,6 +370,71 @@ Foam::string Foam::dustProperties::askedRatio() const
         limits_.pullOffOverForce, limits_.loadFactor, limits_.overlap,
         limits_.ratio
     );
+}
+
+
+Foam::label Foam::dustProperties::material(const dictionary& injector) const
+{
+    if (!injector.found("material"))
+    {
+        return defaultMaterial(injector, "material");
+    }
+    const word name(injector.get<word>("material"));
+    if (!dustMaterials_.found(name))
+    {
+        error
+        (
+            injector,
+            "material",
+            "no material with a density has the name '" + name + "'",
+            listed(dustMaterials_)
+        );
+    }
+    return index(name);
+}
+
+
+Foam::label Foam::dustProperties::defaultMaterial
+(
+    const dictionary& dict,
+    const word& keyword
+) const
+{
+    if (dustMaterial_.empty())
+    {
+        error
+        (
+            dict,
+            keyword,
+            "is missing, and several materials have a density",
+            keyword + " followed by one of " + listed(dustMaterials_)
+          + "; or dustMaterial, for all that name none"
+        );
+    }
+    return index(dustMaterial_);
+}
+
+
+Foam::label Foam::dustProperties::index(const word& material) const
+{
+    for (std::size_t i = 0; i < materials_.size(); ++i)
+    {
+        if (materials_[i].name == material)
+        {
+            return label(i);
+        }
+    }
+    return -1;
+}
+
+
+Foam::scalar Foam::dustProperties::mass
+(
+    const label material,
+    const scalar diameter
+) const
+{
+    return density(material)*constant::mathematical::pi/6*pow3(diameter);
 }
 
 

@@ -88,7 +88,11 @@ void Foam::modelTable::print(Ostream& os)
             continue;
         }
         std::string remark = r.remark;
-        if (!r.works)
+        if (!r.oneRank.empty())
+        {
+            remark += ". On one rank only: " + r.oneRank;
+        }
+        if (!r.instead.empty())
         {
             remark += ". Instead: " + r.instead;
         }
@@ -198,14 +202,18 @@ void Foam::modelTable::setDensity
         return;
     }
     const dustProperties dust(properties);
-    for (const dem::Material& m : dust.materials())
-    {
-        if (m.name == dust.dustMaterial())
-        {
-            // constantProperties has no other door than its dictionary
-            const_cast<dictionary&>(constants).set("rho0", m.density);
-        }
-    }
+    const label first = dust.index(dust.dustMaterials()[0]);
+
+    // constantProperties has no other door than its dictionary
+    const_cast<dictionary&>(constants).set("rho0", dust.density(first));
+}
+
+
+bool Foam::modelTable::injects(const entry& e)
+{
+    return
+        e.isDict()
+     && e.dict().lookupOrDefault<word>("type", "none") != "none";
 }
 
 

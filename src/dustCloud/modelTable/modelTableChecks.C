@@ -196,15 +196,14 @@ void Foam::modelTable::provide
 
 void Foam::modelTable::checkInjector(const row& r, const dictionary& dict)
 {
-    if (Pstream::parRun() && r.name == "fieldActivatedInjection")
+    if (Pstream::parRun() && !r.oneRank.empty())
     {
         dustProperties::error
         (
             dict,
             "type",
-            "OpenFOAM's fieldActivatedInjection looks for the cells of other "
-            "ranks on each",
-            "fieldActivatedInjection in serial, or manualInjection"
+            "OpenFOAM's " + r.name + " on several ranks: " + r.oneRank,
+            r.name + " on one rank, or " + r.instead
         );
     }
 
@@ -304,7 +303,12 @@ Foam::wordList Foam::modelTable::drags(const dictionary& forces)
 }
 
 
-void Foam::modelTable::check(const dictionary& subModels, const fvMesh& mesh)
+void Foam::modelTable::check
+(
+    const dictionary& subModels,
+    const dustProperties& dust,
+    const fvMesh& mesh
+)
 {
     const dictionary& forces = subModels.subDict("particleForces");
     for (const entry& e : forces)
@@ -360,6 +364,10 @@ void Foam::modelTable::check(const dictionary& subModels, const fvMesh& mesh)
             provide(n, dict, mesh);
         }
         checkInjector(r, dict);
+        if (injects(e))
+        {
+            dust.material(dict);
+        }
     }
 }
 

@@ -180,17 +180,23 @@ const std::vector<Foam::modelTable::row>& Foam::modelTable::rows()
         {
             injection, "patchInjection", true,
             "what overlaps a wall or another particle is refused and counted",
-            "", oneParticle + rates, "", {{need::patch, "patch", ""}}, true
+            "dustPatchInjection", oneParticle + rates, "",
+            {{need::patch, "patch", ""}}, true,
+            "its places depend on the decomposition"
         },
         {
             injection, "patchFlowRateInjection", true,
             "its number is drawn by lot; what overlaps is refused and counted",
-            "", oneParticle, "", {{need::patch, "patch", ""}}, true
+            "dustPatchInjection", oneParticle, "",
+            {{need::patch, "patch", ""}}, true,
+            "its places depend on the decomposition"
         },
         {
             injection, "cellZoneInjection", true,
             "all at SOI; what overlaps is refused and counted",
-            "", oneParticle, "", {{need::cellZone, "cellZone", ""}}, false
+            "manualInjection", oneParticle, "",
+            {{need::cellZone, "cellZone", ""}}, false,
+            "its number and places depend on the decomposition"
         },
         {
             injection, "coneInjection", true,
@@ -205,19 +211,19 @@ const std::vector<Foam::modelTable::row>& Foam::modelTable::rows()
         },
         {
             injection, "kinematicLookupTableInjection", true,
-            "`rho` of each row must be that of the dust; parcelsPerSecond is "
+            "`rho` of each row must be that of the material; parcelsPerSecond is "
             "per row; randomise no",
             "", oneParticle + " randomise no;", "", {}, true
         },
         {
             injection, "fieldActivatedInjection", true,
-            "reads both fields from the start time; serial only",
-            "", oneParticle, "",
+            "reads both fields from the start time",
+            "manualInjection", oneParticle, "",
             {
                 {need::scalarField, "referenceField", ""},
                 {need::scalarField, "thresholdField", ""}
             },
-            false
+            false, "each looks for the cells of all"
         },
         {
             injection, "inflationInjection", false,

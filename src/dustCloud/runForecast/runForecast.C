@@ -136,6 +136,47 @@ Foam::label Foam::runForecast::systems() const
 }
 
 
+void Foam::runForecast::addWork
+(
+    const dem::System& system,
+    const slipLoads& loads,
+    const scalarList& moving,
+    const scalarList& due
+)
+{
+    const scalar flown = residence();
+
+    for (const dem::RatioDust& dust : loads.dusts())
+    {
+        if (dust.loads.empty())
+        {
+            continue;
+        }
+        const scalar there = moving[dust.material];
+        const scalar come = due[dust.material];
+        const rehearsal tried
+        (
+            system, dust.material, dust.loads[dust.loads.size()/2]
+        );
+
+        // Those that come are there for half of the rest, on average
+        const scalar flights =
+            (there*flown + come*min(flown, 0.5*length_))
+           *particleSteps_/length_;
+        const scalar contactSteps =
+            there*tried.contactSteps(length_)
+          + touching*come*tried.contactSteps(0.5*length_);
+
+        flights_ += flights;
+        contactSteps_ += contactSteps;
+        flightSeconds_ +=
+            flights*perFlight*tried.flightSeconds()/Pstream::nProcs();
+        contactSeconds_ +=
+            contactSteps*tried.contactSeconds()/Pstream::nProcs();
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::runForecast::runForecast
@@ -143,8 +184,7 @@ Foam::runForecast::runForecast
     const dustCloud& cloud,
     const dem::System& system,
     const slipLoads& loads,
-    const int dust,
-    const scalar due
+    const scalarList& due
 )
 :
     cloud_(cloud),
@@ -172,10 +212,15 @@ Foam::runForecast::runForecast
             std::ceil(min(length_, deltaT)/longestStep() - 1e-6)
         );
 
-    const scalar there = returnReduce(scalar(system.size()), sumOp<scalar>());
-    const scalar moving =
-        returnReduce(scalar(system.awake().size()), sumOp<scalar>());
-    particles_ = there + due;
+    scalarList moving(due.size(), Zero);
+    for (const std::size_t i : system.awake())
+    {
+        ++moving[system.particle(i).material];
+    }
+    Pstream::listCombineGather(moving, plusEqOp<scalar>());
+    Pstream::listCombineScatter(moving);
+    particles_ =
+        returnReduce(scalar(system.size()), sumOp<scalar>()) + sum(due);
 
     flightSeconds_ = particleSteps_*stepSeconds;
     if (!cloud.gasFrozen())
@@ -184,25 +229,10 @@ Foam::runForecast::runForecast
             gasSteps_*systems()*perSystem*productSeconds()
            *(cloud.twoWay() ? 1 + exchangeShare : 1);
     }
-    if (loads.loads().empty() || gasSteps_ < 1)
+    if (gasSteps_ >= 1)
     {
-        return;
+        addWork(system, loads, moving, due);
     }
-
-    // Those that come are there for half of the rest, on average
-    const scalar flown = residence();
-    flights_ =
-        (moving*flown + due*min(flown, 0.5*length_))
-       *particleSteps_/length_;
-
-    const rehearsal tried(system, dust, loads.mean());
-    contactSteps_ =
-        moving*tried.contactSteps(length_)
-      + touching*due*tried.contactSteps(0.5*length_);
-    flightSeconds_ +=
-        flights_*perFlight*tried.flightSeconds()/Pstream::nProcs();
-    contactSeconds_ =
-        contactSteps_*tried.contactSeconds()/Pstream::nProcs();
 }
 
 

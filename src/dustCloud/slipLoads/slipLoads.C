@@ -126,8 +126,7 @@ Foam::scalar Foam::slipLoads::drag
 Foam::slipLoads::slipLoads
 (
     const dustCloud& cloud,
-    const FixedList<scalar, 3>& diameters,
-    const scalar density
+    const dustSizes& sizes
 )
 :
     slip_(0),
@@ -138,55 +137,30 @@ Foam::slipLoads::slipLoads
     const bool heavy =
         cloud.subModelProperties().subDict("particleForces").found("gravity");
 
-    for (const scalar d : diameters)
+    for (const dustSizes::kind& kind : sizes.kinds())
     {
-        if (d > 0 && (loads_.empty() || d != 2*loads_.back().radius))
+        dem::RatioDust dust{int(kind.material), {}};
+        for (const scalar d : kind.diameters)
         {
+            if (d <= 0 || (dust.loads.size() && d == 2*dust.loads.back().radius))
+            {
+                continue;
+            }
             dem::RatioLoad load;
             load.radius = 0.5*d;
-            load.mass = density*constant::mathematical::pi/6*pow3(d);
-            const scalar Sp = drag(cloud, d, density);
+            load.mass = sizes.properties().mass(kind.material, d);
+            const scalar Sp = drag
+            (
+                cloud, d, sizes.properties().density(kind.material)
+            );
             const scalar weight = heavy ? load.mass*mag(cloud.g().value()) : 0;
             load.force = Sp*slip_ + weight;
             // As it falls in still air, if that is faster
             load.speed = max(speed_, Sp > 0 ? weight/Sp : 0);
             load.relaxationTime = Sp > 0 ? load.mass/Sp : 0;
-            loads_.push_back(load);
+            dust.loads.push_back(load);
         }
-    }
-}
-
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::slipLoads::addParticles
-(
-    const dustCloud& cloud,
-    FixedList<scalar, 3>& diameters
-)
-{
-    scalar smallest = diameters[0] > 0 ? diameters[0] : GREAT;
-    scalar largest = diameters[2];
-    scalar sum = 0;
-    for (const dustParcel& p : cloud)
-    {
-        smallest = min(smallest, p.d());
-        largest = max(largest, p.d());
-        sum += p.d();
-    }
-    reduce(smallest, minOp<scalar>());
-    reduce(largest, maxOp<scalar>());
-    reduce(sum, sumOp<scalar>());
-    const label n = returnReduce(cloud.size(), sumOp<label>());
-
-    if (largest > 0)
-    {
-        diameters[0] = smallest;
-        // Of equal sizes that size, not what their sum on some ranks makes of it
-        diameters[1] =
-            diameters[1] > 0 ? diameters[1]
-          : min(max(sum/n, smallest), largest);
-        diameters[2] = largest;
+        dusts_.push_back(dust);
     }
 }
 

@@ -116,35 +116,28 @@ Foam::scalar Foam::stiffening::choose
     dustProperties& properties,
     dem::RatioAdvice& advice,
     autoPtr<slipLoads>& loads,
-    FixedList<scalar, 3>& diameters,
-    const scalar density,
+    dustSizes& sizes,
     const dem::Walls& walls,
     const dictionary& outputProperties
 )
 {
-    const dem::MaterialTable table = properties.table();
-    const int dust = table.index(properties.dustMaterial());
-    slipLoads::addParticles(cloud, diameters);
-    if (diameters[2] > 0)
+    sizes.addParticles(cloud);
+    if (sizes.largest() > 0)
     {
         // the largest fits least
-        dem::checkCurvature(walls, 0.5*diameters[2], -1);
+        dem::checkCurvature(walls, 0.5*sizes.largest(), -1);
     }
-    loads.reset(new slipLoads(cloud, diameters, density));
+    loads.reset(new slipLoads(cloud, sizes));
     advice = dem::adviseRatio
     (
-        table,
-        dust,
-        dem::ratioPartners(table, dust, walls),
-        loads->loads(),
-        properties.limits()
+        properties.table(), loads->dusts(), walls, properties.limits()
     );
 
     const scalar before = stored(outputProperties, properties);
     scalar wanted =
         before > 0 && asBefore(outputProperties, properties) ? before
       : !properties.automaticRatio() ? properties.softening().ratio
-      : diameters[2] > 0 ? advice.chi
+      : sizes.largest() > 0 ? advice.chi
       : 1;
     const auto& limits = properties.limits();
     if (limits.stiffen && wanted < limits.ratio)

@@ -125,8 +125,8 @@ static word hexadecimal(const uint64_t value)
 static const wordList names
 ({
     "identity", "active", "typeId", "nParticle", "d", "dTarget", "U", "rho",
-    "age", "tTurb", "UTurb", "omega", "x", "state", "owedImpulse", "contacts",
-    "gasLoad"
+    "age", "tTurb", "UTurb", "omega", "x", "state", "owedImpulse", "material",
+    "contacts", "gasLoad"
 });
 
 
@@ -161,6 +161,7 @@ struct fieldSums
         add(n, p, p.x());
         add(n, p, p.state());
         add(n, p, p.owed());
+        add(n, p, p.material());
         add(n, p, p.blob());
         add(n, p, p.load());
     }

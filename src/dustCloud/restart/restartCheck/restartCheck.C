@@ -162,7 +162,8 @@ void Foam::restartCheck::fixedValues(const label i, const dustParcel& p) const
     {
         error("dTarget", i, p, text(p.dTarget()) + " m", ">= 0 m");
     }
-    if (ours_ && !within(p.rho(), (1 - 1e-6)*density_, (1 + 1e-6)*density_))
+    const scalar density = ours_ ? properties_.density(p.material()) : 0;
+    if (ours_ && !within(p.rho(), (1 - 1e-6)*density, (1 + 1e-6)*density))
     {
         error
         (
@@ -170,8 +171,9 @@ void Foam::restartCheck::fixedValues(const label i, const dustParcel& p) const
             i,
             p,
             text(p.rho()) + " kg/m3",
-            text(density_) + " kg/m3, the density of its material in "
-          + cloud_.name() + "Properties"
+            text(density) + " kg/m3, the density of its material "
+          + properties_.name(p.material()) + " in " + cloud_.name()
+          + "Properties"
         );
     }
 }

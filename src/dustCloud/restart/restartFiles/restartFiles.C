@@ -134,7 +134,7 @@ Foam::wordList Foam::restartFiles::stock()
 
 Foam::wordList Foam::restartFiles::ours()
 {
-    return {"omega", "x", "state", "owedImpulse"};
+    return {"omega", "x", "state", "owedImpulse", "material"};
 }
 
 
