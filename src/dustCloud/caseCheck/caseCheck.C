@@ -23,6 +23,7 @@ License
 #include "dustSizes.H"
 
 #include "caseCheck.H"
+#include "injectionRate.H"
 #include "modelTable.H"
 
 #include "distributionModel.H"
@@ -32,21 +33,24 @@ License
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::scalar Foam::caseCheck::expected(const dictionary& injector) const
+Foam::scalar Foam::caseCheck::expected
+(
+    const dictionary& injector,
+    const injectionRate& rate
+) const
 {
     const Time& time = mesh_.time();
-    const scalar start = injector.lookupOrDefault<scalar>("SOI", 0);
-    const scalar rate =
-        injector.lookupOrDefault<scalar>("parcelsPerSecond", 0);
+    const scalar SOI = injector.lookupOrDefault<scalar>("SOI", 0);
+    const scalar from = max(time.value() - SOI, scalar(0));
     const scalar open = min
     (
-        time.endTime().value() - max(start, time.value()),
+        time.endTime().value() - SOI - from,
         injector.lookupOrDefault<scalar>("duration", GREAT)
     );
 
     return min
     (
-        max(open, scalar(0))*rate,
+        rate.number(from, from + max(open, scalar(0))),
         scalar(injector.lookupOrDefault<label>("parcelsTotal", labelMax))
     );
 }
@@ -192,9 +196,9 @@ Foam::scalarList Foam::caseCheck::due
         {
             continue;
         }
-        const scalar n = expected(e.dict());
-        const scalar rate =
-            e.dict().lookupOrDefault<scalar>("parcelsPerSecond", 0);
+        const injectionRate injected(e.dict(), dust);
+        const scalar n = expected(e.dict(), injected);
+        const scalar rate = injected.largest();
         const scalar flow = inflow(e.dict(), U);
 
         dustSizes sizes(dust);
@@ -213,8 +217,10 @@ Foam::scalarList Foam::caseCheck::due
         {
             Info<< "  Warning: injector " << e.keyword() << ": its particles"
                 << " are " << volume/flow << " of the volume that enters with"
-                << " them (at most 0.6 fits); parcelsPerSecond below "
-                << 0.1*flow/volume*rate << " leaves room" << nl;
+                << " them (at most 0.6 fits); "
+                << (injected.byMass() ? injected.keyword() : "parcelsPerSecond")
+                << " below " << 0.1*flow/volume*rate*injected.perParticle()
+                << " leaves room" << nl;
         }
         nExpected[dust.material(e.dict())] += n;
     }

@@ -116,7 +116,6 @@ void Foam::contactWriter::write
     std::vector<double> x, U, d, mass, isBond, overlap, force, pullOff;
     std::vector<int64_t> id, state, material, cluster, patch;
     std::vector<int64_t> vertices, vertexEnds, lines, lineEnds;
-
     for (const auto& p : snapshot.particles)
     {
         for (direction i = 0; i < 3; ++i)
@@ -131,7 +130,6 @@ void Foam::contactWriter::write
         material.push_back(p.material);
         cluster.push_back(p.cluster);
         patch.push_back(p.patch);
-
         vertices.push_back(int64_t(vertices.size()));
         vertexEnds.push_back(int64_t(vertices.size()));
     }

@@ -36,6 +36,32 @@ License
 #include "StochasticCollisionModel.H"
 #include "SurfaceFilmModel.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- Counters of each material, by its name
+template<class MaterialTally>
+static dictionary stored(const HashTable<MaterialTally>& tallies)
+{
+    dictionary all;
+    for (const word& name : tallies.sortedToc())
+    {
+        const MaterialTally& t = tallies[name];
+        dictionary dict;
+        dict.set("injected", t.injected.count);
+        dict.set("injectedMass", t.injected.mass);
+        dict.set("escaped", t.escaped.count);
+        dict.set("escapedMass", t.escaped.mass);
+        all.set(name, dict);
+    }
+    return all;
+}
+
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::dustCloud::readCounters(const dictionary& ledger)
@@ -135,18 +161,7 @@ void Foam::dustCloud::storeCounters()
     }
     ledger.set("materials", materials);
 
-    dictionary ofMaterial;
-    for (const word& name : dem_->ofMaterial.sortedToc())
-    {
-        const demData::materialTally& t = dem_->ofMaterial[name];
-        dictionary dict;
-        dict.set("injected", t.injected.count);
-        dict.set("injectedMass", t.injected.mass);
-        dict.set("escaped", t.escaped.count);
-        dict.set("escapedMass", t.escaped.mass);
-        ofMaterial.set(name, dict);
-    }
-    ledger.set("ofMaterial", ofMaterial);
+    ledger.set("ofMaterial", stored(dem_->ofMaterial));
 
     dictionary escaped;
     const auto store = [&escaped](const word& name, const tally& t)

@@ -21,9 +21,9 @@ License
 
 #include "dustCloudData.H"
 #include "dustPatchInjection.H"
+#include "injectionRate.H"
 #include "modelTable.H"
 
-#include "distributionModel.H"
 #include "OStringStream.H"
 #include "Tuple2.H"
 #include "InjectionModelList.H"
@@ -546,30 +546,7 @@ void Foam::dustCloud::readInjectors()
         }
         d.sizes.addInjector(e.dict());
 
-        if (e.dict().found("sizeDistribution"))
-        {
-            // The mean mass by samples: no model tells it
-            Random random(0);
-            const autoPtr<distributionModel> sizes
-            (
-                distributionModel::New
-                (
-                    e.dict().subDict("sizeDistribution"),
-                    random
-                )
-            );
-            const label material = d.properties.material(e.dict());
-            const label nSamples = 1000;
-            scalar meanMass = 0;
-            for (label i = 0; i < nSamples; ++i)
-            {
-                meanMass +=
-                    d.properties.mass(material, sizes->sample())/nSamples;
-            }
-            d.massFlow +=
-                e.dict().lookupOrDefault<scalar>("parcelsPerSecond", 0)
-               *meanMass;
-        }
+        d.massFlow += injectionRate(e.dict(), d.properties).largestMass();
     }
 }
 

@@ -50,6 +50,21 @@ static std::string duration(const scalar seconds)
       : formatted("%.1f h", seconds/3600);
 }
 
+
+//- The material that has the largest particles
+static const dustSizes::kind& withLargest(const dustSizes& sizes)
+{
+    return *std::max_element
+    (
+        sizes.kinds().begin(),
+        sizes.kinds().end(),
+        [](const dustSizes::kind& a, const dustSizes::kind& b)
+        {
+            return a.diameters[2] < b.diameters[2];
+        }
+    );
+}
+
 } // End namespace Foam
 
 
@@ -214,15 +229,7 @@ void Foam::dustCloud::printPlan() const
 
     line("adhesion", adhesion, models["normal"]);
     string curved;
-    const dustSizes::kind& largestKind = *std::max_element
-    (
-        d.sizes.kinds().begin(),
-        d.sizes.kinds().end(),
-        [](const dustSizes::kind& a, const dustSizes::kind& b)
-        {
-            return a.diameters[2] < b.diameters[2];
-        }
-    );
+    const dustSizes::kind& largestKind = withLargest(d.sizes);
     for (const dem::WallPatch& patch : d.system->walls().patches)
     {
         if (!patch.curvature || !(largestKind.diameters[2] > 0))

@@ -136,8 +136,7 @@ const Foam::dustSnapshot& Foam::dustCloud::snapshot() const
                 vector(v[4], v[5], v[6]),
                 v[7],
                 v[8],
-                label(v[9]),
-                label(v[12]),
+                label(v[9]), label(v[12]),
                 int64_t(v[10]),
                 v[11] > 0.5 ? 0 : -1,
                 point(v[1], v[2], v[3])

@@ -207,6 +207,31 @@ void Foam::modelTable::checkInjector(const row& r, const dictionary& dict)
         );
     }
 
+    const entry* profilePtr =
+        dict.findEntry("flowRateProfile", keyType::LITERAL);
+    if
+    (
+        (r.name == "patchInjection" || r.name == "coneNozzleInjection")
+     && profilePtr
+     && (
+            profilePtr->isDict()
+         || (
+                profilePtr->stream()[0].isWord()
+             && profilePtr->stream()[0].wordToken() != "constant"
+            )
+        )
+    )
+    {
+        dustProperties::error
+        (
+            dict,
+            "flowRateProfile",
+            "OpenFOAM's " + r.name + " gives it to the mass of its parcels, "
+            "not to their number, and each is one particle",
+            "constant 1, or dustPatchInjection"
+        );
+    }
+
     // It counts what it injected per rank, but for all of its positions
     if
     (

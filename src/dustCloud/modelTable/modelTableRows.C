@@ -30,6 +30,7 @@ const std::vector<Foam::modelTable::row>& Foam::modelTable::rows()
         "SOI 0; massTotal 0; parcelBasisType fixed; nParticle 1;";
     static const std::string rates = " flowRateProfile constant 1;";
     static const std::string cone = rates + " thetaInner constant 0;";
+    static const std::string decomposed = "its places depend on the ranks";
 
     // kind, name, works, remark, instead, defaults, schemes, needs, streams
     static const std::vector<row> table
@@ -144,9 +145,7 @@ const std::vector<Foam::modelTable::row>& Foam::modelTable::rows()
             "surfaceEnergy and patchMaterials for what sticks to walls",
             "", "", {}, false
         },
-        {
-            dispersion, "none", true, "", "", "", "", {}, false
-        },
+        {dispersion, "none", true, "", "", "", "", {}, false},
         {
             dispersion, "langevinDispersionRAS", true,
             "normalised Langevin model; needs a RAS model of turbulence",
@@ -169,9 +168,7 @@ const std::vector<Foam::modelTable::row>& Foam::modelTable::rows()
             "restart; no overlaps",
             "", "", "", {{need::patch, "patch", ""}}, false
         },
-        {
-            injection, "none", true, "", "", "", "", {}, false
-        },
+        {injection, "none", true, "", "", "", "", {}, false},
         {
             injection, "manualInjection", true,
             "all at SOI, at the positions of a file",
@@ -181,22 +178,19 @@ const std::vector<Foam::modelTable::row>& Foam::modelTable::rows()
             injection, "patchInjection", true,
             "what overlaps a wall or another particle is refused and counted",
             "dustPatchInjection", oneParticle + rates, "",
-            {{need::patch, "patch", ""}}, true,
-            "its places depend on the decomposition"
+            {{need::patch, "patch", ""}}, true, decomposed
         },
         {
             injection, "patchFlowRateInjection", true,
             "its number is drawn by lot; what overlaps is refused and counted",
             "dustPatchInjection", oneParticle, "",
-            {{need::patch, "patch", ""}}, true,
-            "its places depend on the decomposition"
+            {{need::patch, "patch", ""}}, true, decomposed
         },
         {
             injection, "cellZoneInjection", true,
             "all at SOI; what overlaps is refused and counted",
             "manualInjection", oneParticle, "",
-            {{need::cellZone, "cellZone", ""}}, false,
-            "its number and places depend on the decomposition"
+            {{need::cellZone, "cellZone", ""}}, false, decomposed
         },
         {
             injection, "coneInjection", true,

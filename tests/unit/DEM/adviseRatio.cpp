@@ -277,3 +277,48 @@ TEST(adviseRatio, aLawThatIsNotSoftenedTakesOne)
     EXPECT_EQ(a.chi, 1);
     EXPECT_TRUE(a.reached());
 }
+
+
+TEST(adviseRatio, severalMaterials)
+{
+    // walls none, JKR: F_C = 3/2 pi W R, W the geometric mean
+    const Law law;
+    const double youngs = 2*(1 - law.nu*law.nu)*law.E;
+    const dem::MaterialTable table
+    (
+        {{"sand", law.density, youngs, law.nu, 0.11}, {"coal", law.density, youngs, law.nu, 0.02}},
+        law.settings(), {}, {}
+    );
+    RatioLimits l = none();
+    l.pullOffOverForce = 10;
+    const auto need = [&](double W, double R, double force)
+    {
+        return std::pow(10*force/(1.5*formula::pi*W*R), 2.5);
+    };
+    const RatioLoad large = load(law, r, 1), small = load(law, 0.1*r, 1);
+
+    // of one size: the weakest pair, in any order, and one alone as ever
+    const dem::RatioDust sand{0, {large}}, coal{1, {large}}, fine{1, {small}};
+    for (const auto& dusts : {std::vector<dem::RatioDust>{sand, coal}, {coal, sand}, {coal}})
+    {
+        const RatioAdvice a = dem::adviseRatio(table, dusts, {}, l);
+        EXPECT_TRUE(close(a.chi, need(0.04, 0.5*r, large.force), 1e-12));
+        EXPECT_EQ(a.binding().pair, "coal.coal");
+    }
+    EXPECT_TRUE(close
+    (
+        dem::adviseRatio(table, {sand}, {}, l).chi, need(0.22, 0.5*r, large.force), 1e-12
+    ));
+
+    // a smaller one is held by the nearest of the others: here coal.coal is as strong as can be
+    const dem::MaterialTable held
+    (
+        {{"sand", law.density, youngs, law.nu, 0.11}, {"coal", law.density, youngs, law.nu, 0.02}},
+        law.settings(), {{"coal.coal", [&] { auto s = law.settings(); s.surfaceEnergy = 1; return s; }()}}, {}
+    );
+    const RatioAdvice a = dem::adviseRatio(held, {sand, fine}, {}, l);
+    const double both = need(2*std::sqrt(0.11*0.02), 0.1*r/1.1, small.force);
+    const double alone = need(0.22, 0.5*r, large.force);
+    EXPECT_TRUE(close(a.chi, std::max(both, alone), 1e-12));
+    EXPECT_TRUE(close(dem::adviseRatio(held, {fine, sand}, {}, l).chi, a.chi, 1e-12));
+}

@@ -166,7 +166,6 @@ void Foam::dustPatchInjection::checkInput(const dictionary& dict) const
             );
         }
     };
-    positive("parcelsPerSecond", dict.get<scalar>("parcelsPerSecond"));
     positive("duration", dict.lookupOrDefault<scalar>("duration", GREAT));
     positive
     (
@@ -181,39 +180,62 @@ Foam::injectionClock Foam::dustPatchInjection::makeClock
     const dictionary& dict
 )
 {
-    const scalar rate = dict.get<scalar>("parcelsPerSecond");
     const scalar duration = dict.lookupOrDefault<scalar>("duration", GREAT);
     const label total = dict.lookupOrDefault<label>("parcelsTotal", labelMax);
     const scalar SOI = this->SOI_;
     const scalar now = this->owner().db().time().value();
-    const scalar begun =
-        this->template getModelProperty<scalar>("begin", GREAT);
+    const scalar started =
+        this->template getModelProperty<scalar>("start", GREAT);
 
-    if (begun < GREAT)
+    const auto clock = [&](const scalar start, const scalar offset)
     {
-        const scalar rate0 = this->template getModelProperty<scalar>("rate");
-        const scalar SOI0 = this->template getModelProperty<scalar>("SOI");
-        start_ = this->template getModelProperty<scalar>("start");
-        if (rate == rate0 && SOI == SOI0)
+        return injectionClock
+        (
+            start, rate_.value(), rate_.profile(), rate_.perParticle(), offset,
+            start + duration, total
+        );
+    };
+
+    if (started < GREAT)
+    {
+        const bool sameUnit =
+            this->template getModelProperty<word>("rateKeyword", "")
+         == rate_.keyword();
+        const bool sameStart =
+            this->template getModelProperty<scalar>("SOI") == SOI;
+        before_ =
+            !rate_.byMass() ? scalar(next_)
+          : sameUnit ? this->template getModelProperty<scalar>("before")
+          : 0;
+        if
+        (
+            sameStart
+         && sameUnit
+         && this->template getModelProperty<scalar>("rate") == rate_.value()
+         && this->template getModelProperty<word>("profile", "") == rate_.digest()
+        )
         {
-            return injectionClock(begun, rate, start_ + duration, total);
+            return clock
+            (
+                started,
+                this->template getModelProperty<scalar>("offset")
+            );
         }
         const scalar from = max(SOI, now);
-        start_ = SOI == SOI0 ? start_ : from;
-        Info<< "Injector " << this->modelName() << ": SOI or parcelsPerSecond"
-            << " are not as they were; particle " << next_ << " is due at "
-            << from << " s" << nl << endl;
-        return injectionClock::from(next_, from, rate, start_ + duration, total);
+        injectionClock changed(clock(sameStart ? started : from, 0));
+        changed.setDue(before_, from);
+        Info<< "Injector " << this->modelName() << ": SOI or the rate are not"
+            << " as they were; particle " << next_ << " is due at "
+            << changed.due(before_) << " s" << nl << endl;
+        return changed;
     }
-    start_ = SOI;
     if (SOI < now && !next_)
     {
-        start_ = now;
         Info<< "Injector " << this->modelName() << ": SOI " << SOI
             << " s is before the start; injection begins at " << now << " s"
             << nl << endl;
     }
-    return injectionClock(start_, rate, start_ + duration, total);
+    return clock(next_ ? SOI : max(SOI, now), 0);
 }
 
 
@@ -246,15 +268,15 @@ Foam::dustPatchInjection::dustPatchInjection
     sizes_(distributionModel::New(dict.subDict("sizeDistribution"), random_)),
     fastest_(0),
     crossing_(0),
+    rate_(dict, dustProperties(owner.particleProperties())),
     next_(this->template getModelProperty<label>("next")),
+    before_(0),
     redrawn_(this->template getModelProperty<label>("redrawn")),
     leftOut_(this->template getModelProperty<label>("leftOut")),
     withoutFlow_(this->template getModelProperty<label>("withoutFlow")),
-    start_(0),
-    clock_(0, 1, 0, 0)
+    clock_(makeClock(dict))
 {
     checkInput(dict);
-    clock_ = makeClock(dict);
 
     ITstream& is = dict.lookup("U0");
     const token first(is);
@@ -295,11 +317,12 @@ Foam::dustPatchInjection::dustPatchInjection(const dustPatchInjection& im)
     bounds_(im.bounds_),
     fastest_(im.fastest_),
     crossing_(im.crossing_),
+    rate_(im.rate_),
     next_(im.next_),
+    before_(im.before_),
     redrawn_(im.redrawn_),
     leftOut_(im.leftOut_),
     withoutFlow_(im.withoutFlow_),
-    start_(im.start_),
     clock_(im.clock_)
 {}
 
@@ -312,13 +335,13 @@ void Foam::dustPatchInjection::check
     const scalar deltaT
 ) const
 {
-    if (clock_.rate()*deltaT > 1e8)
+    if (rate_.largest()*deltaT > 1e8)
     {
         dustProperties::error
         (
             this->dict(),
-            "parcelsPerSecond",
-            "brings " + Foam::name(clock_.rate()*deltaT)
+            rate_.keyword(),
+            "brings " + Foam::name(rate_.largest()*deltaT)
           + " particles in a gas step of " + Foam::name(deltaT) + " s",
             "at most 1e8 of them"
         );
@@ -338,7 +361,7 @@ void Foam::dustPatchInjection::check
             "a velocity into the domain"
         );
     }
-    if (flows() || !clock_.has(next_))
+    if (flows() || !has())
     {
         return;
     }
@@ -383,6 +406,9 @@ void Foam::dustPatchInjection::draw
     vector& U
 ) const
 {
+    // Its size is the same wherever it is put: large ones need more attempts,
+    // and would become rare
+    d = diameter(number);
     random_ = Random(dustCloud::seed(seed_, number, attempt));
 
     const scalar share = random_.sample01<scalar>();
@@ -402,7 +428,6 @@ void Foam::dustPatchInjection::draw
         a = 1 - a;
         b = 1 - b;
     }
-    d = sizes_->sample();
     U = t.U;
     x =
         t.vertices[0]
@@ -412,17 +437,36 @@ void Foam::dustPatchInjection::draw
 }
 
 
+Foam::scalar Foam::dustPatchInjection::diameter(const label number) const
+{
+    // Of the same row of numbers as its first place, which takes three
+    random_ = Random(dustCloud::seed(seed_, number, 0));
+    for (label i = 0; i < 3; ++i)
+    {
+        random_.sample01<scalar>();
+    }
+    return sizes_->sample();
+}
+
+
+void Foam::dustPatchInjection::pass()
+{
+    before_ += rate_.byMass() ? rate_.mass(diameter(next_)) : 1;
+    ++next_;
+}
+
+
 void Foam::dustPatchInjection::passWithoutFlow()
 {
     if (++withoutFlow_ == 1)
     {
         WarningInFunction
             << this->modelName() << ": no gas flows in through patch "
-            << patchName_ << " at " << clock_.due(next_) << " s, when particle "
+            << patchName_ << " at " << due() << " s, when particle "
             << next_ << " is due. It is left out, and so is what is due before"
             << " gas flows in; said once, the number is in the verdict" << endl;
     }
-    ++next_;
+    pass();
 }
 
 
@@ -468,9 +512,12 @@ void Foam::dustPatchInjection::info(Ostream& os)
         this->setModelProperty("redrawn", redrawn_);
         this->setModelProperty("leftOut", leftOut_);
         this->setModelProperty("withoutFlow", withoutFlow_);
-        this->setModelProperty("begin", scalar(clock_.begin()));
-        this->setModelProperty("start", start_);
-        this->setModelProperty("rate", scalar(clock_.rate()));
+        this->setModelProperty("before", before_);
+        this->setModelProperty("start", scalar(clock_.start()));
+        this->setModelProperty("offset", scalar(clock_.offset()));
+        this->setModelProperty("rate", rate_.value());
+        this->setModelProperty("rateKeyword", rate_.keyword());
+        this->setModelProperty("profile", rate_.digest());
         this->setModelProperty("SOI", this->SOI_);
     }
 }

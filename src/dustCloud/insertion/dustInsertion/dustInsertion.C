@@ -42,27 +42,20 @@ Foam::DynamicList<Foam::dustInsertion::newcomer> Foam::dustInsertion::due
     forAll(injectors_, i)
     {
         dustPatchInjection& injector = *injectors_[i];
-        const injectionClock& clock = injector.clock();
 
-        for
-        (
-            label number = injector.next();
-            clock.dueBefore(number, now + dt);
-            number = injector.next()
-        )
+        while (injector.dueBefore(now + dt))
         {
             if (!injector.flows())
             {
                 injector.passWithoutFlow();
                 continue;
             }
-            injector.pass();
-
             newcomer n = newcomer();
             n.injector = i;
-            n.number = number;
-            n.delay = max(clock.due(number) - now, scalar(0));
+            n.number = injector.next();
+            n.delay = max(injector.due() - now, scalar(0));
             newcomers.append(n);
+            injector.pass();
         }
     }
 
@@ -132,7 +125,7 @@ void Foam::dustInsertion::newGas(const scalar now)
 {
     for (dustPatchInjection* injector : injectors_)
     {
-        if (injector->clock().dueBefore(injector->next(), now))
+        if (injector->dueBefore(now))
         {
             injector->newGas();
         }
@@ -150,13 +143,12 @@ Foam::scalar Foam::dustInsertion::stepLimit
     scalar least = limit;
     for (const dustPatchInjection* injector : injectors_)
     {
-        const label next = injector->next();
-        if (injector->flows() && injector->clock().has(next))
+        if (injector->flows() && injector->has())
         {
             least = min
             (
                 least,
-                max(injector->clock().due(next) - now, scalar(0))
+                max(injector->due() - now, scalar(0))
               + maxCo/max(injector->crossing(), VSMALL)
             );
         }
