@@ -250,7 +250,8 @@ RatioAdvice adviseRatio
 
     for (const RatioDust& dust : dusts)
     {
-        add(adviseRatio(table, dust.material, ratioPartners(table, dust.material, walls), dust.loads, limits));
+        const std::vector<RatioPartner> partners = ratioPartners(table, dust.material, walls);
+        add(adviseRatio(table, dust.material, partners, dust.loads, limits));
         for (const RatioDust& other : dusts)
         {
             if (other.material == dust.material || other.loads.empty()) continue;

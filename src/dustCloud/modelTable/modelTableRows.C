@@ -211,7 +211,7 @@ const std::vector<Foam::modelTable::row>& Foam::modelTable::rows()
         },
         {
             injection, "fieldActivatedInjection", true,
-            "reads both fields from the start time",
+            "reads both fields from the start time; no restart after it",
             "manualInjection", oneParticle, "",
             {
                 {need::scalarField, "referenceField", ""},

@@ -245,6 +245,10 @@ Foam::dictionary Foam::dustPatchInjection::completed(const dictionary& dict)
     full.set("parcelBasisType", word("fixed"));
     full.set("nParticle", 1);
     full.set("massTotal", 0);
+    if (!full.found("SOI"))
+    {
+        full.set("SOI", 0);
+    }
     return full;
 }
 
