@@ -21,6 +21,7 @@ License
 #include "langevinDispersionRAS.H"
 #include "dustProperties.H"
 #include "langevinStep.H"
+#include "rounded.H"
 
 #include "fvc.H"
 #include "gradScheme.H"
@@ -32,6 +33,9 @@ License
 #include "volPointInterpolation.H"
 #include "wallPolyPatch.H"
 
+#include <algorithm>
+#include <tuple>
+
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
 namespace Foam
@@ -42,18 +46,6 @@ namespace Foam
         adddictionaryConstructorToTable<langevinDispersionRAS>
         addLangevinDispersionRASToTable_;
 
-
-    //- The last bits of cell centres and of what is summed over faces depend on
-    //  the order of faces, and that on the decomposition
-    static scalar rounded(const scalar x)
-    {
-        return float(x);
-    }
-
-    static vector rounded(const vector& v)
-    {
-        return vector(float(v.x()), float(v.y()), float(v.z()));
-    }
 
     //- L of R = L L^T; R is floored, as it may be singular at walls
     static tensor cholesky(const symmTensor& R)
@@ -243,14 +235,15 @@ void Foam::langevinDispersionRAS::setCells(const volScalarField& k)
         turbulenceSeen& t = seen_[celli];
         t.origin = rounded(mesh.C()[celli]);
         t.s = s[celli];
-        t.gradS = rounded(gradS[celli]);
+        const scalar steepest = max(t.s, ROOTVSMALL)/cbrt(mesh.V()[celli]);
+        t.gradS = rounded(gradS[celli], steepest);
         t.TFar = timeScale_*k[celli]/max(epsilon[celli], VSMALL);
         t.TFar = max(t.TFar, ROOTVSMALL);
 
         if (tL.valid() && t.s > ROOTVSMALL)
         {
             t.B = tL()[celli]/t.s;
-            t.divB = rounded(tDivL()[celli]) - (t.gradS & t.B);
+            t.divB = rounded(tDivL()[celli], steepest) - (t.gradS & t.B);
         }
 
         const label walli = nearest_[celli];
@@ -263,8 +256,9 @@ void Foam::langevinDispersionRAS::setCells(const volScalarField& k)
                 wall.vertices[1],
                 wall.vertices[2]
             );
-            const vector d =
+            const vector way =
                 t.origin - triangle.nearestPoint(t.origin).rawPoint();
+            const vector d = rounded(way, max(mag(way), VSMALL));
             t.y = mag(d);
             t.n = t.y > VSMALL ? d/t.y : vector(1, 0, 0);
             t.uTau = wall.value.x();
@@ -281,7 +275,21 @@ void Foam::langevinDispersionRAS::useOwnTetrahedron
 ) const
 {
     const polyMesh& mesh = this->owner().mesh();
-    const triFace tri(p.currentTetIndices().faceTriIs(mesh));
+    triFace tri(p.currentTetIndices().faceTriIs(mesh));
+
+    // A face between ranks has its points in the other order on one of them
+    std::sort
+    (
+        tri.begin(),
+        tri.end(),
+        [&mesh](const label i, const label j)
+        {
+            const point& x = mesh.points()[i];
+            const point& y = mesh.points()[j];
+            return
+                std::tie(x.x(), x.y(), x.z()) < std::tie(y.x(), y.y(), y.z());
+        }
+    );
     const vector a(mesh.points()[tri[0]] - t.origin);
     const vector b(mesh.points()[tri[1]] - t.origin);
     const vector c(mesh.points()[tri[2]] - t.origin);

@@ -20,6 +20,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "cellWallGeometry.H"
+#include "rounded.H"
 #include "syncTools.H"
 #include "processorPolyPatch.H"
 #include "wallPolyPatch.H"
@@ -355,7 +356,7 @@ void Foam::cellWallGeometry::findWalls()
                 centres_[celli],
                 mesh_.cells()[celli].points(mesh_.faces(), mesh_.points()),
                 // volumes differ in their last bits, too
-                float(cbrt(mesh_.cellVolumes()[celli]))
+                rounded(cbrt(mesh_.cellVolumes()[celli]))
             )
         );
     }
