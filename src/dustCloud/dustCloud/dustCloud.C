@@ -296,6 +296,11 @@ void Foam::dustCloud::decideCoupling()
         );
     }
 
+    if (!gasFrozen_)
+    {
+        d.step.end();
+    }
+
     // OpenFOAM's own exchange is not used. cloudSolution has no other door
     // than its dictionary.
     dictionary& solution = const_cast<dictionary&>(solution_.dict());
@@ -417,10 +422,6 @@ Foam::dustCloud::dustCloud
     }
 
     decideCoupling();
-    if (!gasFrozen_)
-    {
-        d.step.end();
-    }
 
     readWalls();
     addArrivals();

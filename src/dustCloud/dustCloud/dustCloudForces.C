@@ -27,6 +27,7 @@ License
 #include "wallShear.H"
 
 #include "DispersionModel.H"
+#include "GravityForce.H"
 #include "InjectionModelList.H"
 #include "PatchInteractionModel.H"
 #include "StochasticCollisionModel.H"
@@ -44,6 +45,10 @@ void Foam::dustCloud::findOwnForces()
         d.brownian = d.brownian ? d.brownian : isA<brownianMotion>(force);
         d.vorticity = d.vorticity ? d.vorticity : isA<vorticityTorque>(force);
         d.shear = d.shear ? d.shear : isA<wallShear>(force);
+        if (const auto* weight = isA<GravityForce<kinematicCloudType>>(force))
+        {
+            d.gravity = weight->g();
+        }
     }
 }
 

@@ -31,7 +31,8 @@ Foam::scalar Foam::dustCloud::particleStepLimit() const
 {
     const demData& d = *dem_;
     const scalar maxCo = solution_.maxCo();
-    scalar limit = solution_.dict().lookupOrDefault<scalar>("deltaTMax", GREAT);
+    const vector& g = d.gravity;
+    scalar limit = GREAT;
 
     for (const std::size_t index : d.system->awake())
     {
@@ -58,6 +59,13 @@ Foam::scalar Foam::dustCloud::particleStepLimit() const
         {
             limit = min(limit, maxCo/rate);
         }
+
+        // And fall, from rest
+        if (g != vector::zero)
+        {
+            const scalar fall = cellCrossing(mesh_, p.cell(), g);
+            limit = min(limit, sqrt(2*maxCo/max(fall, VSMALL)));
+        }
     }
 
     return returnReduce(limit, minOp<scalar>());
@@ -74,18 +82,23 @@ Foam::scalar Foam::dustCloud::nextParticleStep(const scalar left) const
         solution_.maxCo()
     );
 
+    const scalar longest =
+        solution_.dict().lookupOrDefault<scalar>("deltaTMax", GREAT);
+
     // The limit may differ in its last bits between decompositions
 
-    if (gasFrozen_ && limit < GREAT)
+    if (gasFrozen_ && min(limit, longest) < GREAT)
     {
         // Whatever deltaT is, see particleStep
         int exponent;
         const scalar mantissa = std::frexp((1 + 1e-6)*limit, &exponent);
-        return std::ldexp(std::floor(0x1p10*mantissa), exponent - 10);
+        const scalar even = std::ldexp(std::floor(0x1p10*mantissa), exponent - 10);
+        return min(even, longest);
     }
 
     // Equal steps for what is left of the gas step, as few as the limit allows
-    return left/max(scalar(1), std::ceil(left/limit - 1e-6));
+    const scalar parts = std::ceil(left/min(limit, longest) - 1e-6);
+    return left/max(scalar(1), parts);
 }
 
 

@@ -353,7 +353,7 @@ void Foam::dustKeywords::addInjectionRows(std::vector<row>& t)
         {i + "nParticle", "", number, "-", "1", "1", "a parcel is a particle"},
         {i + "minParticlesPerParcel", "", number, "-", "1", "1",
             "a parcel is a particle"},
-        {i + "material", "", name, "-", "dustMaterial", "",
+        {i + "material", "", name, "-", "that of dustMaterial", "",
             "of materials, one with a density: what its particles are of"},
         {i + "injectorID", "", integer, "-", "-1", "", "of OpenFOAM's files"},
         {i + "active", "", flag, "-", "on", "", "of OpenFOAM"}

@@ -77,7 +77,10 @@ boundaryField
 END
     set_ "$name/constant/turbulenceProperties" RAS/RASModel "$model"
     set_ "$name/constant/dustProperties" subModels/dispersionModel "$5"
-    set_ "$name/system/controlDict" deltaT "$(awk "BEGIN { printf \"%.12g\", $6/$perTime }")"
+    local step
+    step=$(awk "BEGIN { printf \"%.12g\", $6/$perTime }")
+    set_ "$name/system/controlDict" deltaT "$step"
+    set_ "$name/constant/dustProperties" solution/deltaTMax "$step"
     set_ "$name/system/controlDict" writeControl runTime
     set_ "$name/system/controlDict" writeInterval "$(awk "BEGIN { printf \"%.12g\", $7/$perTime }")"
     set_ "$name/system/controlDict" endTime "$(awk "BEGIN { printf \"%.12g\", $8/$perTime }")"

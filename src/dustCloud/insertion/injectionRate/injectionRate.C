@@ -127,6 +127,10 @@ void Foam::injectionRate::readProfile(const dictionary& injector)
         std::vector<double>(t.begin(), t.end()),
         std::vector<double>(w.begin(), w.end())
     );
+    if (!tablePtr && w[0] == 1)
+    {
+        return;     // as without one
+    }
     if (!(profile_.largest() > 0))
     {
         refuse("is never above 0: nothing would enter", "above 0 some time");
