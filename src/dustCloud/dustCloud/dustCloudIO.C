@@ -71,7 +71,7 @@ void Foam::dustCloud::readCounters(const dictionary& ledger)
     ledger.readEntry("refused", refused_.count);
     ledger.readEntry("refusedMass", refused_.mass);
     ledger.readEntry("nextId", nextId_);
-    dem_->step.read(ledger);
+    dem_->step.read(ledger, gasState());
 
     for (const entry& e : ledger.subDict("ofMaterial"))
     {
@@ -118,6 +118,18 @@ void Foam::dustCloud::checkCounters() const
 }
 
 
+Foam::word Foam::dustCloud::gasState() const
+{
+    dictionary dict;
+    dict.set("U", parcelChecksums::of(U_.primitiveField()));
+    dict.set("rho", gMax(rho_.primitiveField()));
+    dict.set("mu", gMax(mu_.primitiveField()));
+    dict.set("g", g_.value());
+    dict.set("forces", subModelProperties_.subDict("particleForces").toc());
+    return parcelChecksums::of(dict);
+}
+
+
 void Foam::dustCloud::storeCounters()
 {
     // The injectors store theirs when they print them
@@ -139,7 +151,7 @@ void Foam::dustCloud::storeCounters()
     ledger.set("refused", refused_.count);
     ledger.set("refusedMass", refused_.mass);
     ledger.set("nextId", nextId_);
-    dem_->step.store(ledger);
+    dem_->step.store(ledger, gasState());
     stiffening::store
     (
         ledger,

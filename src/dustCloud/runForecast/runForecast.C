@@ -204,13 +204,11 @@ Foam::runForecast::runForecast
         length_ < most*deltaT
       ? max(scalar(0), std::ceil(length_/deltaT - 1e-6))
       : most;
+    // In frozen gas they go on over gas steps
+    const scalar span = cloud.gasFrozen() ? length_ : min(length_, deltaT);
     particleSteps_ =
-        gasSteps_
-       *max
-        (
-            scalar(1),
-            std::ceil(min(length_, deltaT)/longestStep() - 1e-6)
-        );
+        (cloud.gasFrozen() ? min(gasSteps_, scalar(1)) : gasSteps_)
+       *max(scalar(1), std::ceil(span/longestStep() - 1e-6));
 
     scalarList moving(due.size(), Zero);
     for (const std::size_t i : system.awake())

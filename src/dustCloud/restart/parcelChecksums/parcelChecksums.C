@@ -219,6 +219,19 @@ Foam::word Foam::parcelChecksums::of(const dictionary& dict)
 }
 
 
+Foam::word Foam::parcelChecksums::of(const UList<vector>& values)
+{
+    uint64_t sum = 0;
+    for (const vector& value : values)
+    {
+        rowHash row(uint64_t(0));
+        row.add(value);
+        sum += row.value();
+    }
+    return hexadecimal(returnReduce(sum, sumOp<uint64_t>()));
+}
+
+
 Foam::wordList Foam::parcelChecksums::changed
 (
     const dictionary& then,
