@@ -368,7 +368,10 @@ bool Foam::dustCloud::writeObject
         );
         p.blob().setSize(label(state.size()));
         std::copy(state.begin(), state.end(), p.blob().begin());
-        self.packLoad(p);
+        if (dem_->step.underWay())
+        {
+            self.packLoad(p);
+        }
     }
 
     // Of a neck, the first 6 digits of a place know nothing
