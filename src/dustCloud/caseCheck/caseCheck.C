@@ -28,6 +28,7 @@ License
 
 #include "distributionModel.H"
 #include "fvMesh.H"
+#include "GlobalIOField.H"
 #include "mathematicalConstants.H"
 #include "volFields.H"
 
@@ -225,6 +226,59 @@ Foam::scalarList Foam::caseCheck::due
         nExpected[dust.material(e.dict())] += n;
     }
     return nExpected;
+}
+
+
+void Foam::caseCheck::positions() const
+{
+    for (const entry& e : injectors_)
+    {
+        if
+        (
+            !e.isDict()
+         || e.dict().get<word>("type") != "manualInjection"
+         || e.dict().lookupOrDefault("ignoreOutOfBounds", false)
+        )
+        {
+            continue;
+        }
+        // Global, as the injector reads it: one file for all ranks
+        const GlobalIOField<vector> positions
+        (
+            IOobject
+            (
+                e.dict().get<string>("positionsFile"),
+                mesh_.time().constant(),
+                mesh_,
+                IOobject::MUST_READ,
+                IOobject::NO_WRITE,
+                false
+            )
+        );
+        labelList cells(positions.size());
+        forAll(positions, i)
+        {
+            cells[i] = mesh_.findCell(positions[i]);
+        }
+        Pstream::listCombineGather(cells, maxEqOp<label>());
+        Pstream::listCombineScatter(cells);
+
+        const label i = cells.find(-1);
+        if (i >= 0)
+        {
+            dustProperties::error
+            (
+                e.dict(),
+                "positionsFile",
+                "particle " + Foam::name(i) + " of "
+              + positions.objectPath() + " at ("
+              + Foam::name(positions[i].x()) + " "
+              + Foam::name(positions[i].y()) + " "
+              + Foam::name(positions[i].z()) + ") is outside the mesh",
+                "positions inside, or ignoreOutOfBounds true"
+            );
+        }
+    }
 }
 
 

@@ -29,11 +29,8 @@ License
 namespace Foam
 {
 
-typedef HashTable<labelPair, string, string::hash> lineTable;
-
 //- What the master has told the others
-static lineTable toldLines;
-static fileName toldFile;
+static HashTable<dictionaryLines::place, string, string::hash> toldPlaces;
 
 
 static string nameOf(const dictionary& dict, const word& keyword)
@@ -121,10 +118,9 @@ void Foam::dictionaryLines::share(const dictionary& dict)
 
     if (!Pstream::master() && lines.size() == names.size())
     {
-        toldFile = file;
         forAll(names, i)
         {
-            toldLines.set(names[i], lines[i]);
+            toldPlaces.set(names[i], {file, lines[i]});
         }
     }
 }
@@ -138,10 +134,10 @@ Foam::dictionaryLines::place Foam::dictionaryLines::of
 {
     for (const string& name : {nameOf(dict, keyword), nameOf(dict, "")})
     {
-        const auto told = toldLines.cfind(name);
+        const auto told = toldPlaces.cfind(name);
         if (told.found())
         {
-            return {toldFile, *told};
+            return *told;
         }
     }
     return {dict.name(), linesOf(dict, keyword)};

@@ -24,13 +24,12 @@ License
 #include "caseCheck.H"
 #include "dictionaryLines.H"
 #include "dustKeywords.H"
+#include "ledgerCheck.H"
 #include "modelTable.H"
 #include "patchWalls.H"
 #include "runForecast.H"
 #include "untrapped.H"
 
-#include "IStringStream.H"
-#include "GlobalIOField.H"
 #include "wallPolyPatch.H"
 
 #include "InjectionModelList.H"
@@ -85,61 +84,11 @@ const Foam::word& Foam::dustCloud::checkInput
 
     caseCheck::density(properties, materials);
     modelTable::check(subModels, materials, mesh);
-    caseCheck(subModels.subDict("injectionModels"), mesh).sizes();
+    const caseCheck injectors(subModels.subDict("injectionModels"), mesh);
+    injectors.sizes();
+    injectors.positions();
     checkDispersion(subModels, U);
-
-    for (const entry& e : subModels.subDict("injectionModels"))
-    {
-        if (!e.isDict())
-        {
-            continue;
-        }
-        const dictionary& model = e.dict();
-
-        if
-        (
-            model.get<word>("type") == "manualInjection"
-         && !model.lookupOrDefault("ignoreOutOfBounds", false)
-        )
-        {
-            // Global, as the injector reads it: one file for all ranks
-            const GlobalIOField<vector> positions
-            (
-                IOobject
-                (
-                    model.get<string>("positionsFile"),
-                    mesh.time().constant(),
-                    mesh,
-                    IOobject::MUST_READ,
-                    IOobject::NO_WRITE,
-                    false
-                )
-            );
-            labelList cells(positions.size());
-            forAll(positions, i)
-            {
-                cells[i] = mesh.findCell(positions[i]);
-            }
-            Pstream::listCombineGather(cells, maxEqOp<label>());
-            Pstream::listCombineScatter(cells);
-
-            const label i = cells.find(-1);
-            if (i >= 0)
-            {
-                dustProperties::error
-                (
-                    model,
-                    "positionsFile",
-                    "particle " + Foam::name(i) + " of "
-                  + positions.objectPath() + " at ("
-                  + Foam::name(positions[i].x()) + " "
-                  + Foam::name(positions[i].y()) + " "
-                  + Foam::name(positions[i].z()) + ") is outside the mesh",
-                    "positions inside, or ignoreOutOfBounds true"
-                );
-            }
-        }
-    }
+    ledgerCheck::check(mesh, cloudName, ledgerVersion);
 
     return cloudName;
 }
