@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cfenv>
 #include <vector>
 
 using namespace Foam;
@@ -70,6 +71,48 @@ TEST(langevinStep, covariances)
         EXPECT_NEAR(mm/(2*theta - 3 + 4*e - e*e), 1, 0.01) << theta;
         EXPECT_NEAR(me/((1 - e)*(1 - e)), 1, 0.01) << theta;
     }
+}
+
+// Steps of any length: where there is no turbulence, or its gradients or the wall would have it
+// divided without end. Floating-point traps are on, as in OpenFOAM
+TEST(langevinStep, anyLength)
+{
+    feenableexcept(FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW);
+    turbulenceSeen still;
+    still.s = 0;
+    still.TFar = 1e-150;
+
+    turbulenceSeen jet;
+    jet.s = 1;
+    jet.gradS = vector(3, -2, 1e3);
+    jet.TFar = 1e-3;
+    jet.reach = 1e-3;
+
+    turbulenceSeen wall = jet;
+    wall.n = vector(0, 1, 0);
+    wall.along = vector(1, 0, 0);
+    wall.y = 1e-4;
+    wall.uTau = 10;
+    wall.nu = 1.5e-5;
+
+    for (const turbulenceSeen& gas : {still, jet, wall})
+    {
+        for (const double dt : {1e-9, 1e-3, 1.0, 5e7, 1e15})
+        {
+            for (const double tau : {0.0, 1e-5, 1e300})
+            {
+                vector w;
+                langevinStep::start({{7, 0, 0, 0}}, w);
+                const vector u = langevinStep::advance
+                    (gas, {{7, 0, 1, 0}}, Zero, Zero, vector(1, -0.1, 0), tau, dt, w);
+                // s where the gradient ends, or of the fits
+                EXPECT_LE(mag(u), 10*(gas.s > 0 ? 10 + gas.s + mag(gas.gradS)*gas.reach : 0))
+                    << dt << ' ' << tau;
+                EXPECT_LE(mag(w), 100) << dt << ' ' << tau;
+            }
+        }
+    }
+    fedisableexcept(FE_ALL_EXCEPT);
 }
 
 // The derivatives of the fits and of the hand-over

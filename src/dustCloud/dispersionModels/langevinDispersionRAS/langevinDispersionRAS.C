@@ -64,6 +64,26 @@ namespace Foam
         );
     }
 
+    //- Distance of a cell's farthest point from x [m]
+    static scalar reachOf
+    (
+        const polyMesh& mesh,
+        const label celli,
+        const point& x
+    )
+    {
+        scalar reach = 0;
+        for (const label facei : mesh.cells()[celli])
+        {
+            for (const label pointi : mesh.faces()[facei])
+            {
+                reach = max(reach, mag(mesh.points()[pointi] - x));
+            }
+        }
+        return reach;
+    }
+
+
     //- L of the field; s: for its boundary conditions
     static tmp<volTensorField> factorOf
     (
@@ -234,6 +254,7 @@ void Foam::langevinDispersionRAS::setCells(const volScalarField& k)
     {
         turbulenceSeen& t = seen_[celli];
         t.origin = rounded(mesh.C()[celli]);
+        t.reach = reachOf(mesh, celli, t.origin);
         t.s = s[celli];
         const scalar steepest = max(t.s, ROOTVSMALL)/cbrt(mesh.V()[celli]);
         t.gradS = rounded(gradS[celli], steepest);
