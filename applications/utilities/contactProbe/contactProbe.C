@@ -71,6 +71,7 @@ Usage
 
 #include "caseInput.H"
 #include "contactPair.H"
+#include "contactSteps.H"
 #include "heldContact.H"
 #include "probeFiles.H"
 #include "probeSettings.H"
@@ -79,6 +80,7 @@ Usage
 #include "argList.H"
 #include "OSspecific.H"
 #include "Time.H"
+#include "unitConversion.H"
 
 #include <algorithm>
 
@@ -234,6 +236,37 @@ void printTables
 }
 
 
+//- Contact steps of all collisions, at most
+scalar mostSteps
+(
+    const std::vector<pairSeries>& all,
+    const probeSettings& settings
+)
+{
+    scalar most = 0;
+    for (const pairSeries& series : all)
+    {
+        for (const contactPair& p : series.soft)
+        {
+            for (const scalar v : settings.velocities())
+            {
+                for (const scalar angle : settings.angles())
+                {
+                    most += p.mostSteps
+                    (
+                        v,
+                        degToRad(angle),
+                        settings.tangentialForce(),
+                        settings.duration()
+                    );
+                }
+            }
+        }
+    }
+    return most;
+}
+
+
 void writeFiles
 (
     const std::vector<pairSeries>& all,
@@ -242,6 +275,8 @@ void writeFiles
     const argList& args
 )
 {
+    Info<< nl;
+    contactSteps::ahead(mostSteps(all, settings));
     writeCollisions(all, settings, csv, args.found("history"));
 
     if (args.found("sticking"))

@@ -20,6 +20,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "contactPair.H"
+#include "contactSteps.H"
 #include "heldContact.H"
 #include "mathematicalConstants.H"
 
@@ -155,6 +156,15 @@ Foam::scalar Foam::contactPair::rockingPeriod() const
           : 0;
     }
     return rockingPeriod_;
+}
+
+
+Foam::scalar Foam::contactPair::watch() const
+{
+    return std::max
+    (
+        rockingPeriods*rockingPeriod(), normalPeriods*figures(0).period
+    );
 }
 
 
@@ -367,6 +377,7 @@ Foam::contactPair::collision Foam::contactPair::collide
             return result;
         }
         t += h;
+        contactSteps::taken(h/step);
         const state now = look(*system);
 
         if (!system->inContact(0))
@@ -436,10 +447,7 @@ Foam::contactPair::collision Foam::contactPair::collide
             {
                 break;
             }
-            window = std::max
-            (
-                rockingPeriods*rockingPeriod(), normalPeriods*figures(0).period
-            );
+            window = watch();
             windowStart = t;
             tangentialSpeed = 0;
         }
@@ -497,6 +505,23 @@ Foam::contactPair::collision Foam::contactPair::collide
         noteTangential(end, end.v);
     }
     return result;
+}
+
+
+Foam::scalar Foam::contactPair::mostSteps
+(
+    const scalar speed,
+    const scalar angle,
+    const scalar force,
+    const scalar duration
+) const
+{
+    const dem::ContactFigures f = figures(speed*std::cos(angle));
+    const bool watched = (angle > 0 || force > 0) && f.a0 > 0;
+    const scalar held =
+        !watched ? 0 : duration > 0 ? duration : mostWindows*watch();
+
+    return time_.stepsPerContact*(1 + held/f.period);
 }
 
 

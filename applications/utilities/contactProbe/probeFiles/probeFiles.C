@@ -198,7 +198,7 @@ void Foam::probeFiles::writeCollisions
                             << setw(14) << c.maxOverlap
                             << setw(13) << c.tangentialRestitution
                             << setw(14) << c.spin
-                            << "  " << outcome << nl;
+                            << "  " << outcome << endl;
                     }
                     for (const contactPair::moment& m : history)
                     {
