@@ -20,6 +20,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "adhesionMargin.H"
+#include "functionKeywords.H"
 #include "dustCloud.H"
 #include "dustSnapshot.H"
 #include "addToRunTimeSelectionTable.H"
@@ -65,6 +66,7 @@ Foam::functionObjects::adhesionMargin::adhesionMargin
 bool Foam::functionObjects::adhesionMargin::read(const dictionary& dict)
 {
     fvMeshFunctionObject::read(dict);
+    functionKeywords::check(dict);
     cloudName_ = dict.lookupOrDefault<word>("cloud", "dust");
     return true;
 }

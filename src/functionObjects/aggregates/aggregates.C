@@ -20,6 +20,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "aggregates.H"
+#include "functionKeywords.H"
 #include "dustCloud.H"
 #include "dustSnapshot.H"
 #include "addToRunTimeSelectionTable.H"
@@ -65,6 +66,7 @@ Foam::functionObjects::aggregates::aggregates
 bool Foam::functionObjects::aggregates::read(const dictionary& dict)
 {
     fvMeshFunctionObject::read(dict);
+    functionKeywords::check(dict);
     cloudName_ = dict.lookupOrDefault<word>("cloud", "dust");
     return true;
 }

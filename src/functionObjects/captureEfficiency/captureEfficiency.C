@@ -20,12 +20,14 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "captureEfficiency.H"
+#include "functionKeywords.H"
 #include "dustCloud.H"
 #include "dustSnapshot.H"
 
 #include "wallPolyPatch.H"
 #include "addToRunTimeSelectionTable.H"
 #include "IOdictionary.H"
+#include "OStringStream.H"
 
 #include <algorithm>
 #include <limits>
@@ -87,13 +89,16 @@ void Foam::functionObjects::captureEfficiency::readState()
         const IOdictionary state(io);
         if (state.get<scalarList>("diameters") != diameters_)
         {
-            FatalIOErrorInFunction(state)
-                << "keyword 'diameters': the classes of the function object "
-                << name() << " were others, and what has passed cannot be "
-                << "told apart anew" << nl << "    allowed: "
-                << state.get<scalarList>("diameters")
-                << ", or without this file to count from now on"
-                << exit(FatalIOError);
+            OStringStream then;
+            then<< state.get<scalarList>("diameters");
+            dustProperties::error
+            (
+                state,
+                "diameters",
+                "the classes of the function object " + name()
+              + " were others, and what has passed cannot be told apart anew",
+                then.str() + ", or without this file to count from now on"
+            );
         }
         passed_ = state.get<labelList>("passed");
         return;
@@ -139,6 +144,7 @@ Foam::functionObjects::captureEfficiency::captureEfficiency
 bool Foam::functionObjects::captureEfficiency::read(const dictionary& dict)
 {
     fvMeshFunctionObject::read(dict);
+    functionKeywords::check(dict, {"diameters"});
     cloudName_ = dict.lookupOrDefault<word>("cloud", "dust");
 
     const scalarList diameters(dict.get<scalarList>("diameters"));
@@ -149,11 +155,17 @@ bool Foam::functionObjects::captureEfficiency::read(const dictionary& dict)
     }
     if (!ascending || (passed_.size() && diameters != diameters_))
     {
-        FatalIOErrorInFunction(dict)
-            << "keyword 'diameters': " << diameters
-            << (ascending ? " are others than before" : "") << nl
-            << "    allowed: two or more limits of classes in m, ascending, "
-            << "the same for the whole run" << exit(FatalIOError);
+        OStringStream given;
+        given<< "is " << diameters
+            << (ascending ? ", others than before" : "");
+        dustProperties::error
+        (
+            dict,
+            "diameters",
+            given.str(),
+            "two or more limits of classes in m, ascending, the same for the"
+            " whole run"
+        );
     }
     diameters_ = diameters;
     return true;

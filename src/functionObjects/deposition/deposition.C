@@ -20,6 +20,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "deposition.H"
+#include "functionKeywords.H"
 #include "dustCloud.H"
 #include "dustSnapshot.H"
 #include "wallPolyPatch.H"
@@ -60,6 +61,7 @@ Foam::functionObjects::deposition::deposition
 bool Foam::functionObjects::deposition::read(const dictionary& dict)
 {
     fvMeshFunctionObject::read(dict);
+    functionKeywords::check(dict);
     cloudName_ = dict.lookupOrDefault<word>("cloud", "dust");
     return true;
 }

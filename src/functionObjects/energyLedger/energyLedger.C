@@ -23,6 +23,7 @@ License
 #include "DEM.hpp"
 
 #include "energyLedger.H"
+#include "functionKeywords.H"
 #include "dustCloud.H"
 #include "addToRunTimeSelectionTable.H"
 
@@ -66,6 +67,7 @@ Foam::functionObjects::energyLedger::energyLedger
 bool Foam::functionObjects::energyLedger::read(const dictionary& dict)
 {
     fvMeshFunctionObject::read(dict);
+    functionKeywords::check(dict);
     cloudName_ = dict.lookupOrDefault<word>("cloud", "dust");
     return true;
 }

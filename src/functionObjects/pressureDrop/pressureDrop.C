@@ -20,6 +20,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "pressureDrop.H"
+#include "functionKeywords.H"
 #include "dustCloud.H"
 #include "dustProperties.H"
 #include "dustSnapshot.H"
@@ -95,6 +96,7 @@ Foam::functionObjects::pressureDrop::pressureDrop
 bool Foam::functionObjects::pressureDrop::read(const dictionary& dict)
 {
     fvMeshFunctionObject::read(dict);
+    functionKeywords::check(dict, {"from", "to"});
     cloudName_ = dict.lookupOrDefault<word>("cloud", "dust");
     from_ = patch(dict, "from");
     to_ = patch(dict, "to");

@@ -22,6 +22,8 @@ License
 #include "dustCloudData.H"
 #include "dustTime.H"
 #include "stopSignals.H"
+#include "dictionaryLines.H"
+#include "dustProperties.H"
 #include "timeFiles.H"
 
 #include "argList.H"
@@ -63,6 +65,16 @@ void Foam::dustTime::readControls()
     keep_ = purgeWrite_;
     purgeWrite_ = 0;
 
+    if (!(std::isfinite(deltaT_) && deltaT_ > 0))
+    {
+        dustProperties::error
+        (
+            controlDict(),
+            "deltaT",
+            "is " + Foam::name(deltaT_) + " s",
+            "> 0 s"
+        );
+    }
     maxWallTime_ = controlDict().lookupOrDefault<scalar>("maxWallTime", 0);
     if
     (
@@ -70,10 +82,13 @@ void Foam::dustTime::readControls()
      && !(std::isfinite(maxWallTime_) && maxWallTime_ > 0)
     )
     {
-        FatalIOErrorInFunction(controlDict())
-            << "keyword 'maxWallTime': " << maxWallTime_ << " s" << nl
-            << "    allowed: > 0 s, or not given (no limit)"
-            << exit(FatalIOError);
+        dustProperties::error
+        (
+            controlDict(),
+            "maxWallTime",
+            "is " + Foam::name(maxWallTime_) + " s",
+            "> 0 s, or not given (no limit)"
+        );
     }
 }
 
@@ -164,16 +179,20 @@ void Foam::dustTime::skipIncomplete()
 
     if (startFrom != "latestTime" || i < 0)
     {
-        FatalIOErrorInFunction(controlDict())
-            << "Time " << bad << ", from which to start, is not complete:"
-            << " its writing was cut off. It may be deleted" << nl
-            << "    allowed: another time"
-            << (
-                   i < 0
-                 ? ", but none is complete"
-                 : ", the last complete one is " + all[i].name()
-               ).c_str()
-            << exit(FatalIOError);
+        dustProperties::error
+        (
+            controlDict(),
+            "startFrom",
+            "time " + bad + ", from which to start, is not complete:"
+            " its writing was cut off. It may be deleted",
+            "another time"
+          + string
+            (
+                i < 0
+              ? ", but none is complete"
+              : ", the last complete one is " + all[i].name()
+            )
+        );
     }
 
     Info<< "Warning: time " << bad << " is not complete: its writing was cut"
@@ -400,6 +419,7 @@ Foam::dustTime::dustTime(const argList& args)
     lastSize_(0),
     writtenIndex_(-1)
 {
+    dictionaryLines::share(controlDict());
     readControls();
     skipIncomplete();
     takeExactValue();
