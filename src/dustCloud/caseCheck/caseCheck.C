@@ -182,6 +182,32 @@ void Foam::caseCheck::sizes() const
 }
 
 
+void Foam::caseCheck::rates(const dustProperties& dust) const
+{
+    const scalar deltaT = mesh_.time().deltaTValue();
+
+    for (const entry& e : injectors_)
+    {
+        if (!modelTable::injects(e))
+        {
+            continue;
+        }
+        const injectionRate rate(e.dict(), dust);
+        if (rate.largest()*deltaT > 1e8)
+        {
+            dustProperties::error
+            (
+                e.dict(),
+                rate.keyword().empty() ? "parcelsPerSecond" : rate.keyword(),
+                "brings " + Foam::name(rate.largest()*deltaT)
+              + " particles in a gas step of " + Foam::name(deltaT) + " s",
+                "at most 1e8 of them"
+            );
+        }
+    }
+}
+
+
 Foam::scalarList Foam::caseCheck::due
 (
     const dustProperties& dust,

@@ -86,6 +86,7 @@ const Foam::word& Foam::dustCloud::checkInput
     modelTable::check(subModels, materials, mesh);
     const caseCheck injectors(subModels.subDict("injectionModels"), mesh);
     injectors.sizes();
+    injectors.rates(materials);
     injectors.positions();
     checkDispersion(subModels, U);
     ledgerCheck::check(mesh, cloudName, ledgerVersion);

@@ -72,7 +72,7 @@ void Foam::dustCloud::prepareInsertion()
             d.insertion->add(*ours, injectori);
         }
     }
-    d.insertion->check(gasFrozen_, mesh_.time().deltaTValue());
+    d.insertion->check(gasFrozen_);
 }
 
 

@@ -134,6 +134,7 @@ void Foam::dustCloud::readParcels()
     if (ledgerPtr)
     {
         check.identities();
+        check.mass(injected_.mass - escaped().mass, injected_.mass);
     }
     else
     {

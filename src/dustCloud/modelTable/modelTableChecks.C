@@ -28,6 +28,8 @@ License
 #include "uniformDimensionedFields.H"
 #include "volFields.H"
 
+#include <cmath>
+
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
@@ -71,6 +73,30 @@ static void provideField
         );
     }
     (new fieldType(io, mesh))->store();
+}
+
+
+//- Numbers that OpenFOAM's injectors cut to whole ones: 0.5 to none
+static void checkWhole(const word& injector, const dictionary& dict)
+{
+    const word keyword =
+        injector == "patchInjection" || injector == "coneNozzleInjection"
+      ? "parcelsPerSecond"
+      : injector == "coneInjection" ? "parcelsPerInjector" : "";
+    const scalar n =
+        keyword.empty() ? 0 : dict.lookupOrDefault<scalar>(keyword, 0);
+
+    if (n > labelMax || n != std::floor(n))
+    {
+        dustProperties::error
+        (
+            dict,
+            keyword,
+            "is " + Foam::name(n),
+            "a whole number up to " + Foam::name(labelMax)
+          + ", as OpenFOAM's " + injector + " keeps it, or dustPatchInjection"
+        );
+    }
 }
 
 
@@ -231,6 +257,8 @@ void Foam::modelTable::checkInjector(const row& r, const dictionary& dict)
             "constant 1, or dustPatchInjection"
         );
     }
+
+    checkWhole(r.name, dict);
 
     // It counts what it injected per rank, but for all of its positions
     if

@@ -333,23 +333,8 @@ Foam::dustPatchInjection::dustPatchInjection(const dustPatchInjection& im)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::dustPatchInjection::check
-(
-    const bool gasFrozen,
-    const scalar deltaT
-) const
+void Foam::dustPatchInjection::check(const bool gasFrozen) const
 {
-    if (rate_.largest()*deltaT > 1e8)
-    {
-        dustProperties::error
-        (
-            this->dict(),
-            rate_.keyword(),
-            "brings " + Foam::name(rate_.largest()*deltaT)
-          + " particles in a gas step of " + Foam::name(deltaT) + " s",
-            "at most 1e8 of them"
-        );
-    }
     bool outward = flows() && !gasVelocity_;
     for (const triangle& t : triangles_)
     {

@@ -108,15 +108,11 @@ Foam::List<Foam::labelPair> Foam::dustInsertion::ask
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::dustInsertion::check
-(
-    const bool gasFrozen,
-    const scalar deltaT
-) const
+void Foam::dustInsertion::check(const bool gasFrozen) const
 {
     for (const dustPatchInjection* injector : injectors_)
     {
-        injector->check(gasFrozen, deltaT);
+        injector->check(gasFrozen);
     }
 }
 

@@ -27,8 +27,98 @@ License
 #include "Function1.H"
 #include "SHA1.H"
 #include "TableBase.H"
+#include "untrapped.H"
 
 #include <cmath>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+static const word profileKeyword("flowRateProfile");
+
+
+static void refuseProfile
+(
+    const dictionary& injector,
+    const string& reason,
+    const string& allowed
+)
+{
+    dustProperties::error(injector, profileKeyword, reason, allowed);
+}
+
+
+//- As OpenFOAM reads it. Its errors, as of a file that is not there, name
+//  neither the injector nor the line
+static autoPtr<Function1<scalar>> newProfile(const dictionary& injector)
+{
+    if (const dictionary* dictPtr = injector.findDict(profileKeyword))
+    {
+        const dictionary& dict = *dictPtr;
+        dustProperties::checkKeywords
+        (
+            dict,
+            {
+                "type", "value", "values", profileKeyword, "file",
+                "outOfBounds", "interpolationScheme", "nHeaderLine",
+                "refColumn", "componentColumns", "separator",
+                "mergeSeparators"
+            }
+        );
+        const word bounds(dict.lookupOrDefault<word>("outOfBounds", "clamp"));
+        const word scheme
+        (
+            dict.lookupOrDefault<word>("interpolationScheme", "linear")
+        );
+        if (bounds != "clamp" || scheme != "linear")
+        {
+            refuseProfile
+            (
+                injector,
+                "has outOfBounds " + bounds + ", interpolationScheme "
+              + scheme,
+                "clamp, linear"
+            );
+        }
+    }
+
+    autoPtr<Function1<scalar>> f;
+    string fault;
+    const bool throwing = FatalError.throwExceptions();
+    const bool throwingIO = FatalIOError.throwExceptions();
+    try
+    {
+        const untrapped reading;
+        f = Function1<scalar>::New(profileKeyword, injector);
+    }
+    catch (const Foam::IOerror& e)
+    {
+        fault = e.message() + " (" + e.ioFileName() + ")";
+    }
+    catch (const Foam::error& e)
+    {
+        fault = e.message();
+    }
+    FatalError.throwExceptions(throwing);
+    FatalIOError.throwExceptions(throwingIO);
+
+    if (!f.valid())
+    {
+        refuseProfile
+        (
+            injector,
+            "cannot be read: " + fault,
+            "constant, table, tableFile or csvFile; a file by its whole path"
+            " or as \"<case>/...\", times in it ascending"
+        );
+    }
+    return f;
+}
+
+} // End namespace Foam
+
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -63,36 +153,11 @@ void Foam::injectionRate::readRate(const dictionary& injector)
 
 void Foam::injectionRate::readProfile(const dictionary& injector)
 {
-    const word keyword("flowRateProfile");
-    if (!injector.found(keyword))
+    if (!injector.found(profileKeyword))
     {
         return;
     }
-    const auto refuse = [&](const string& reason, const string& allowed)
-    {
-        dustProperties::error(injector, keyword, reason, allowed);
-    };
-
-    const dictionary* dictPtr = injector.findDict(keyword);
-    const dictionary& dict = dictPtr ? *dictPtr : dictionary::null;
-    const word bounds(dict.lookupOrDefault<word>("outOfBounds", "clamp"));
-    const word scheme
-    (
-        dict.lookupOrDefault<word>("interpolationScheme", "linear")
-    );
-    if (bounds != "clamp" || scheme != "linear")
-    {
-        refuse
-        (
-            "has outOfBounds " + bounds + ", interpolationScheme " + scheme,
-            "clamp, linear"
-        );
-    }
-
-    const autoPtr<Function1<scalar>> f
-    (
-        Function1<scalar>::New(keyword, injector)
-    );
+    const autoPtr<Function1<scalar>> f(newProfile(injector));
     scalarField t(1, Zero);
     scalarField w(1, Zero);
     const auto* tablePtr =
@@ -108,15 +173,21 @@ void Foam::injectionRate::readProfile(const dictionary& injector)
     }
     else
     {
-        refuse("is of type " + f->type(), "constant, table, tableFile, csvFile");
+        refuseProfile
+        (
+            injector,
+            "is of type " + f->type(),
+            "constant, table, tableFile, csvFile"
+        );
     }
 
     forAll(t, i)
     {
         if (!(std::isfinite(w[i]) && w[i] >= 0 && std::isfinite(t[i])))
         {
-            refuse
+            refuseProfile
             (
+                injector,
                 "is " + Foam::name(w[i]) + " at " + Foam::name(t[i]) + " s",
                 "finite numbers, none below 0"
             );
@@ -133,7 +204,12 @@ void Foam::injectionRate::readProfile(const dictionary& injector)
     }
     if (!(profile_.largest() > 0))
     {
-        refuse("is never above 0: nothing would enter", "above 0 some time");
+        refuseProfile
+        (
+            injector,
+            "is never above 0: nothing would enter",
+            "above 0 some time"
+        );
     }
 
     SHA1 sum;
