@@ -81,6 +81,7 @@ Usage
 #include "dustCloud.H"
 #include "dustKeywords.H"
 #include "dustTime.H"
+#include "masterFirst.H"
 #include "modelTable.H"
 #include "resistedMomentum.H"
 

@@ -79,6 +79,23 @@ static std::string allowedText(const dustKeywords::row& r)
 }
 
 
+//- Of an injector or a cloud function
+static word typeOf(const dictionary& dict)
+{
+    if (!dict.found("type"))
+    {
+        dustProperties::error
+        (
+            dict,
+            "type",
+            "is missing",
+            "type with the name of a model (dustFoam -models, -keywords)"
+        );
+    }
+    return dict.get<word>("type");
+}
+
+
 //- Which model the dictionary at a path is of, whose keywords are then asked
 //  for. known: false where others say that there is no such model
 static std::string modelOf
@@ -99,7 +116,7 @@ static std::string modelOf
     }
     if (path == "subModels/injectionModels/*")
     {
-        const word type(dict.lookupOrDefault<word>("type", "none"));
+        const word type(typeOf(dict));
         const auto* row = modelTable::find(modelTable::injection, type);
         // `type none;` switches an injector off, whatever else it says
         known = row && row->works && type != "none";
@@ -113,7 +130,7 @@ static std::string modelOf
     if (path == "cloudFunctions/*")
     {
         // A library of the user may have others
-        const word type(dict.lookupOrDefault<word>("type", "none"));
+        const word type(typeOf(dict));
         known = false;
         for (const dustKeywords::row& r : dustKeywords::rows())
         {

@@ -225,6 +225,9 @@ void Foam::dustKeywords::addContactRows(std::vector<row>& t)
 
 void Foam::dustKeywords::addCloudRows(std::vector<row>& t)
 {
+    const std::string schemes =
+        "cell cellWall cellPatchConstrained cellPoint cellPointFace"
+        " cellPointWallModified pointMVC";
     const std::vector<row> rows
     ({
         {"coupling", "", name, "-", "auto", "oneWay twoWay auto",
@@ -253,8 +256,14 @@ void Foam::dustKeywords::addCloudRows(std::vector<row>& t)
             "of OpenFOAM, without effect"},
         {"solution/interpolationSchemes", "", block, "-", "", "",
             "of gas fields at particles"},
-        {"solution/interpolationSchemes/*", "", name, "-", "none", "",
-            "for a field: cell, cellWall, cellPoint, ..."},
+        {"solution/interpolationSchemes/rho", "", name, "-", "", schemes,
+            "of the gas density"},
+        {"solution/interpolationSchemes/U", "", name, "-", "", schemes,
+            "of the gas velocity"},
+        {"solution/interpolationSchemes/mu", "", name, "-", "", schemes,
+            "of the gas viscosity"},
+        {"solution/interpolationSchemes/*", "", name, "-", "none", schemes,
+            "of a field that a force reads"},
         {"solution/integrationSchemes", "", block, "-", "", "",
             "OpenFOAM wants U Euler; not used"},
         {"solution/integrationSchemes/*", "", name, "-", "none", "",
@@ -551,7 +560,8 @@ void Foam::dustKeywords::addFunctionRows(std::vector<row>& t)
         {f + "mode", collector, name, "-", "",
             "polygon polygonWithNormal concentricCircle", "shape"},
         {f + "parcelType", collector, integer, "-", "-1", "", "which"},
-        {f + "removeCollected", collector, flag, "-", "", "", "take them out"},
+        {f + "removeCollected", collector, name, "-", "", "no off false",
+            "take them out: the balance would not close"},
         {f + "negateParcelsOppositeNormal", collector, flag, "-", "", "",
             "count them back"},
         {f + "polygons", collector, other, "m", "none", "(...)", "shape"},

@@ -57,6 +57,23 @@ static void fatal
     )   << message.c_str() << exit(FatalIOError);
 }
 
+
+static const dictionary& defaultContact(const dictionary& contact)
+{
+    if (!contact.findDict("default"))
+    {
+        dustProperties::error
+        (
+            contact,
+            "default",
+            "is missing",
+            "default { normal { ... } tangential { ... } rolling { ... }"
+            " twisting { ... } }, the law of pairs that are not named"
+        );
+    }
+    return contact.subDict("default");
+}
+
 } // End namespace Foam
 
 
@@ -196,7 +213,7 @@ dem::ContactSettings Foam::dustProperties::readContactSettings
 void Foam::dustProperties::readContact()
 {
     const dictionary& contact = dict_.subDict("contact");
-    const dictionary& defaults = contact.subDict("default");
+    const dictionary& defaults = defaultContact(contact);
 
     defaults_ = readContactSettings(defaults);
 

@@ -68,21 +68,18 @@ Foam::scalar Foam::stiffening::stored
     {
         if (properties.automaticRatio())
         {
-            FatalIOErrorInFunction(*ledgerPtr)
-                << "keyword 'chi' is missing: this time was written before chi"
-                << " was kept. Give reducedStiffness/ratio the chi that the log"
-                << " of that run prints, instead of auto" << exit(FatalIOError);
+            dustProperties::error
+            (
+                *ledgerPtr,
+                "chi",
+                "is missing: this time was written before chi was kept",
+                "reducedStiffness/ratio with the chi that the log of that run"
+                " prints, instead of auto"
+            );
         }
         return -1;
     }
-    const scalar chi = ledgerPtr->get<scalar>("chi");
-    if (!(chi > 0 && chi <= 1))
-    {
-        FatalIOErrorInFunction(*ledgerPtr)
-            << "keyword 'chi' is " << chi << ", allowed is above 0, at most 1"
-            << exit(FatalIOError);
-    }
-    return chi;
+    return ledgerPtr->get<scalar>("chi");
 }
 
 

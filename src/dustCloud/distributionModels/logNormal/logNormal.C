@@ -78,9 +78,14 @@ Foam::distributionModels::logNormal::logNormal
         !(minValue_ > 0 && maxValue_ > minValue_ && median_ > 0 && sigma_ > 0)
     )
     {
-        FatalIOErrorInFunction(distributionModelDict_)
-            << "logNormal: allowed are 0 < minValue < maxValue, median > 0,"
-            << " geometricStandardDeviation > 1" << exit(FatalIOError);
+        dustProperties::error
+        (
+            distributionModelDict_,
+            "median",
+            "and its neighbours make no distribution",
+            "0 < minValue < maxValue, median > 0, geometricStandardDeviation"
+            " > 1"
+        );
     }
 
     // What is sampled divides by it

@@ -20,6 +20,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "dustCloudData.H"
+#include "masterFirst.H"
 #include "restartCheck.H"
 
 #include "DEM.hpp"
@@ -332,6 +333,31 @@ void Foam::restartCheck::identities() const
                 << "    Restore it, or start from another time"
                 << exit(FatalError);
         }
+    }
+}
+
+
+void Foam::restartCheck::mass(const scalar expected, const scalar ofAll) const
+{
+    scalar there = 0;
+    for (const dustParcel& p : cloud_)
+    {
+        there += p.mass();
+    }
+    reduce(there, sumOp<scalar>());
+
+    // A tool may have rounded d to 6 digits
+    if (mag(there - expected) > 1e-4*ofAll)
+    {
+        masterFirst();
+        FatalErrorInFunction
+            << "The files of time " << cloud_.time().timeName()
+            << " do not belong together: the ledger in uniform/lagrangian/"
+            << cloud_.name() << " tells of " << expected << " kg, but the"
+            << " particles in lagrangian/" << cloud_.name() << " have "
+            << there << " kg" << nl
+            << "    Restore d and the ledger, or start from another time"
+            << exit(FatalError);
     }
 }
 
