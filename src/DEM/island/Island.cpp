@@ -31,9 +31,10 @@ Island::Island
 
 // * * * * * * * * * * * * * * * * * The loop * * * * * * * * * * * * * * * * * * * * * //
 
-void Island::run(double dt, double time, StepReport& report)
+void Island::run(const Span& span, StepReport& report)
 {
-    begin(dt, time);
+    begin(span);
+    if (span.uncut) mark(report);
     firstContacts(report);
     while (control_.left() > 0 && !state_.awake.empty() && !rimWoke_)
     {
@@ -54,7 +55,7 @@ void Island::run(double dt, double time, StepReport& report)
         settle(report);
     }
     if (rimWoke_) candidates_.noteOutran(state_);
-    else finish(dt, time, report);
+    else finish(span, report);
 }
 
 
@@ -113,6 +114,12 @@ void Island::endContacts(Changes& changes, StepReport& report)
     account_.ended(state_, report.energy);
     forces_.takeBackEnded(state_);
     changes.ended = contacts_.end(state_);
+    // What has been taken back is as it is at the step's end: in a flight, which may be long, the
+    // difference must not act
+    if (!state_.contacts.anyListed())
+    {
+        for (const int i : state_.awake) state_.loads[std::size_t(i)] = Load{};
+    }
     report.separations += std::int64_t(changes.ended.size());
     candidates_.parted(state_, changes.ended);
     std::vector<int> bereft = rest_.bereft(state_, changes.ended);
@@ -127,6 +134,7 @@ void Island::beginContacts(Changes& changes, StepReport& report)
     changes.began = candidates_.meet(state_);
     if (changes.began.empty()) return;
     if (control_.exactEvents()) propagator_.complete(state_);
+    if (!state_.contacts.anyListed()) mark(report);
     noteTouches(changes.began, report);
     forces_.noteSizes(state_);
     contacts_.begin(state_, changes.began);
@@ -209,17 +217,20 @@ void Island::settle(StepReport& report)
 
 // * * * * * * * * * * * * * * * * Begin and end  * * * * * * * * * * * * * * * * * * * //
 
-void Island::begin(double dt, double time)
+void Island::begin(const Span& span)
 {
     state_.phase = {};
     ended_ = rimWoke_ = false;
+    marked_ = atStart_ = false;
+    ahead_ = span.ahead;
+    behind_ = 0;
     wokeAtRim_.assign(state_.particles.size(), 0);
     setBodies(state_);
     boundary_.begin(state_);
     rest_.begin(state_);
     propagator_.begin(state_);
-    candidates_.find(state_, dt, contacts_.resumeAll(state_));
-    control_.begin(state_, candidates_, dt, time);
+    candidates_.find(state_, span.dt, contacts_.resumeAll(state_));
+    control_.begin(state_, candidates_, span);
     candidates_.refresh(state_, {});
 }
 
@@ -236,17 +247,51 @@ void Island::firstContacts(StepReport& report)
 }
 
 
-void Island::finish(double dt, double time, StepReport& report)
+void Island::mark(const StepReport& report)
+{
+    if (ahead_ == 0 || !control_.exactEvents()) return;
+    marked_ = true;
+    mark_ = state_;
+    markReport_ = report;
+}
+
+
+bool Island::nearMark() const
+{
+    return std::all_of
+    (
+        state_.awake.begin(), state_.awake.end(), [&](int i)
+        {
+            const Body& b = state_.bodies[std::size_t(i)];
+            return (vec(b.x) - vec(mark_.bodies[std::size_t(i)].x)).norm() < b.r;
+        }
+    );
+}
+
+
+void Island::goBack(StepReport& report)
+{
+    if (!marked_ || !state_.contacts.anyListed() || !nearMark()) return;
+    behind_ = state_.phase.elapsed - mark_.phase.elapsed;
+    atStart_ = mark_.phase.elapsed == 0;
+    std::swap(state_, mark_);
+    report = markReport_;
+}
+
+
+void Island::finish(const Span& span, StepReport& report)
 {
     propagator_.complete(state_);
-    control_.finish(state_, candidates_, report);
-    rest_.addImpulse(state_, dt);
     candidates_.noteOutran(state_);
+    goBack(report);
+    if (atStart_) return;
+    control_.finish(state_, candidates_, report);
+    rest_.addImpulse(state_, span.dt - behind_);
     prepareSprings(0);
-    rest_.freezeFlying(state_, account_, report);
+    if (ahead_ == 0) rest_.freezeFlying(state_, account_, report);
     contacts_.storeAll(state_);
     takeBack();
-    checkFinite(state_, time + dt);
+    checkFinite(state_, span.now + span.dt);
 }
 
 

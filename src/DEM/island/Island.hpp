@@ -23,6 +23,7 @@
 #include "island/Rest.hpp"
 #include "island/StepControl.hpp"
 #include "particles/GasExchange.hpp"
+#include "system/Span.hpp"
 #include "system/StepReport.hpp"
 
 #include <vector>
@@ -64,9 +65,13 @@ public:
         void addContact(int i, int j, const ContactRecord& record);
 
 
-    //- Move everything over dt; time [s] is only for messages. It ends at once where one of the
-    //  rim would wake (wokeAtRim): nothing else holds then. Errors: numericalError
-    void run(double dt, double time, StepReport& report);
+    //- Move everything. It ends at once where one of the rim would wake (wokeAtRim): nothing else
+    //  holds then. Errors: numericalError
+    //  A step that is to go on does not end within a contact: with other contact steps it would
+    //  leave it otherwise, by their error. It goes back to where all flew last, or to its
+    //  beginning, and behind() tells how long ago that was; unless somebody has come farther than
+    //  its radius since.
+    void run(const Span& span, StepReport& report);
 
 
     // Results
@@ -86,13 +91,18 @@ public:
 
         bool wokeAtRim(int i) const { return wokeAtRim_[std::size_t(i)]; }
 
+        //- Those awake stand where they were so long before the end of the run [s]
+        double behind() const { return behind_; }
+        //- That is where it began: all else is as it was loaded, too
+        bool atStart() const { return atStart_; }
+
         //- Contacts of particle i as the lower partner
         std::vector<ContactRecord> contacts(int i) const;
 
 
 private:
 
-    void begin(double dt, double time);
+    void begin(const Span& span);
     void firstContacts(StepReport& report);
     void take(const Step& step, StepReport& report);
     void prepareSprings(double ahead);
@@ -103,7 +113,10 @@ private:
     void wake(std::vector<int> woken, StepReport& report);
     bool findAtRim(const std::vector<int>& woken);
     void settle(StepReport& report);
-    void finish(double dt, double time, StepReport& report);
+    void mark(const StepReport& report);
+    bool nearMark() const;
+    void goBack(StepReport& report);
+    void finish(const Span& span, StepReport& report);
     void takeBack();
 
     Environment env_;
@@ -119,6 +132,14 @@ private:
     std::vector<char> rim_, wokeAtRim_;     // by particle
     bool rimWoke_ = false;      // one of them has
     bool ended_ = false;        // the last forces have marked contacts that end
+
+    // Where a run that would cut a contact goes back to
+    bool marked_ = false;
+    IslandState mark_;
+    StepReport markReport_;
+    double ahead_ = 0;          // [s] the particle step goes on after the run
+    double behind_ = 0;         // [s]
+    bool atStart_ = false;      // it has gone back to its beginning
 };
 
 }

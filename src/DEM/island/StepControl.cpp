@@ -46,20 +46,23 @@ double StepControl::overshoot() const
 
 void StepControl::begin
 (
-    IslandState& state, const Candidates& candidates, double dt, double time
+    IslandState& state, const Candidates& candidates, const Span& span
 )
 {
+    const double dt = span.dt;
     survey_.forget();
     stiffest_.begin(state, dt);
     state.phase.fastest = stiffest_.freeSpeed();
     state.phase.left = dt;
     dense_ = candidates.pairs().all().size() >= denseIsland;
-    time_ = time;
+    time_ = span.now;
     run_ = dt;
+    ahead_ = span.ahead;
     done_ = h_ = sinceRest_ = 0;
     contactStep_.reset();
     refined_ = false;
     shortened_ = 0;
+    nearTouch_ = 0;
     flights_ = 0;
     lookSoon();
 }
@@ -109,6 +112,14 @@ bool StepControl::look(IslandState& state, const Candidates& candidates, StepRep
 }
 
 
+//- The longest of equal steps up to the end of the particle step, at most `allowed`
+double StepControl::even(double allowed) const
+{
+    const double left = this->left() + ahead_;
+    return left/std::ceil(left/allowed*(1 - 1e-12));
+}
+
+
 //- Everything takes the step of the stiffest possible contact
 double StepControl::evenStep
 (
@@ -123,7 +134,7 @@ double StepControl::evenStep
         stiffest_.note(state, survey_.longestStep());
         h_ = stiffest_.step();
         if (look(state, candidates, report)) h_ = std::min(h_, survey_.last().step);
-        h_ = left/std::ceil(left/h_*(1 - 1e-12));
+        h_ = even(h_);
         looked_ = 0;
     }
     const double now = left < 1.5*h_ ? left : h_;
@@ -140,13 +151,12 @@ void StepControl::lookAtContacts
     IslandState& state, Propagator& propagator, Candidates& candidates, StepReport& report
 )
 {
-    const double left = state.phase.left;
     propagator.complete(state);
     look(state, candidates, report);
     const double allowed = survey_.last().step;
     if (!dense_ || !(h_ <= allowed && allowed < 1.05*h_))
     {
-        h_ = left/std::ceil(left/allowed*(1 - 1e-12));
+        h_ = even(allowed);
     }
     contactStep_ = h_;
     const bool refined = !dense_ && h_ < refinedShare*survey_.last().bound;
@@ -228,11 +238,14 @@ double StepControl::flight(const IslandState& state, Candidates& candidates)
     const double speed = std::max({state.phase.fastest, stiffest_.freeSpeed(), 1e-300});
     if (now < 1e-6*smallest/speed)
     {
-        // near a touch go on by small parts of the contact step that would follow
+        // near a touch go on by small parts of the contact step that would follow: the first
+        // so small that the overlap with which the contact begins tells nothing of the way there
         stiffest_.note(state, survey_.longestStep());
         const double path = mostPath*smallest/std::max(stiffest_.speed(), 1e-300);
-        now = std::max(now, overshoot()*std::min(stiffest_.step(), path));
+        const double most = overshoot()*std::min(stiffest_.step(), path);
+        now = std::max(now, std::ldexp(1e-3*most, std::min(nearTouch_++, 10)));
     }
+    else nearTouch_ = 0;
     lookSoon();
     sinceRest_ = 0;
     if (++flights_ > mostFlights)

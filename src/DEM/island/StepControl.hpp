@@ -14,6 +14,7 @@
 #include "island/IslandState.hpp"
 #include "island/Propagator.hpp"
 #include "island/StiffestStep.hpp"
+#include "system/Span.hpp"
 #include "system/StepReport.hpp"
 
 #include <optional>
@@ -41,8 +42,8 @@ public:
         stiffest_(environment)
     {}
 
-    //- A run of dt begins at `time` [s]
-    void begin(IslandState& state, const Candidates& candidates, double dt, double time);
+    //- A run begins
+    void begin(IslandState& state, const Candidates& candidates, const Span& span);
 
     //- Of the run [s]
     double left() const { return run_ - done_; }
@@ -83,6 +84,7 @@ private:
     void lookSoon() { looked_ = lookInterval(); }
     bool look(IslandState& state, const Candidates& candidates, StepReport& report);
 
+    double even(double allowed) const;
     double evenStep
     (
         IslandState& state, Propagator& propagator, const Candidates& candidates,
@@ -107,6 +109,7 @@ private:
     ContactSurvey survey_;
     StiffestStep stiffest_;
     double time_ = 0, run_ = 0, done_ = 0;  // [s] at the start; of the run; of it, done
+    double ahead_ = 0;                      // [s] the particle step goes on after the run
     bool dense_ = false;
     double h_ = 0;                          // [s] step between events
     std::optional<double> contactStep_;     // [s] the same with contacts
@@ -114,6 +117,7 @@ private:
     int looked_ = 0;                        // steps since the last look
     double sinceRest_ = 0;                  // [s] with contacts since rest was judged
     int shortened_ = 0;                     // steps in a row that ended at an event
+    int nearTouch_ = 0;                     // flights in a row that ended close to a touch
     std::int64_t flights_ = 0;
 };
 

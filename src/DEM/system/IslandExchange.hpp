@@ -35,7 +35,8 @@ struct Member
     int owner = 0;
     std::size_t index = 0;      // on its owner
     GasExchange exchange = {};
-    double delay = 0;           // it enters that long after the particle step has begun [s]
+    double delay = 0;           // it enters that long after the particle step has begun [s];
+                                // negative, when moved too: ParticleStore::delay
 
     template<class S, class F>
     static void fields(S& s, F& f)

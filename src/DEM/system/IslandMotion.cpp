@@ -36,17 +36,17 @@ IslandMotion::IslandMotion
 {}
 
 
-void IslandMotion::move(IslandMembers& island, double dt, double now, bool keepExchange)
+void IslandMotion::move(IslandMembers& island, const Span& span, bool keepExchange)
 {
-    const auto enters = [](const Member& m) { return m.delay > 0; };
-    if (std::any_of(island.members.begin(), island.members.end(), enters))
+    const auto delayed = [](const Member& m) { return m.delay != 0; };
+    if (std::any_of(island.members.begin(), island.members.end(), delayed))
     {
-        integrateInParts(island, dt, now, keepExchange);
+        integrateInParts(island, span, keepExchange);
         ++island.report.islands;
     }
-    else if (!flyTogether(island, dt))
+    else if (!flyTogether(island, span.dt))
     {
-        integrate(island, dt, now, keepExchange);
+        integrate(island, span, keepExchange);
         ++island.report.islands;
     }
     for (const Member& m : island.members)
@@ -200,23 +200,29 @@ void IslandMotion::load(IslandMembers& island, double dt)
 }
 
 
-void IslandMotion::integrate(IslandMembers& island, double dt, double now, bool keepExchange)
+void IslandMotion::integrate(IslandMembers& island, const Span& span, bool keepExchange)
 {
-    load(island, dt);
-    integrator_.run(dt, now, island.report);
+    load(island, span.dt);
+    integrator_.run(span, island.report);
 
     if (wokeAtRim(island.members)) return;
     std::vector<GasExchange> exchanges;
-    if (keepExchange) exchanges = integrator_.gasExchange(dt);
+    if (keepExchange) exchanges = integrator_.gasExchange(span.dt);
     for (std::size_t i = 0; i < island.members.size(); ++i)
     {
         Member& m = island.members[i];
         if (m.seen) continue;
+        m.outran = integrator_.outran(int(i));
+        if (integrator_.atStart())
+        {
+            m.delay = m.rest.resting ? 0 : -integrator_.behind();
+            continue;
+        }
         if (keepExchange) m.exchange = exchanges[i];
         m.contacts = integrator_.contacts(int(i));
         m.p = integrator_.particle(int(i));
         m.rest = integrator_.rest(int(i));
-        m.outran = integrator_.outran(int(i));
+        m.delay = m.rest.resting ? 0 : -integrator_.behind();
     }
 }
 
@@ -241,14 +247,20 @@ bool IslandMotion::wokeAtRim(std::vector<Member>& members) const
 }
 
 
-//- From each moment on at which somebody enters, with those who are there by then
+//- From each moment on at which somebody enters or stood, with those who are there by then
 void IslandMotion::integrateInParts
 (
-    IslandMembers& island, double dt, double now, bool keepExchange
+    IslandMembers& island, const Span& span, bool keepExchange
 )
 {
+    double first = 0;
+    for (const Member& m : island.members) first = std::min(first, m.delay);
+    for (Member& m : island.members)
+    {
+        if (m.rest.resting && m.rest.aggregate < 0) m.delay = first;
+    }
     const std::vector<Member> before = island.members;
-    std::vector<double> moments{0, dt};
+    std::vector<double> moments{span.dt};
     for (const Member& m : before) moments.push_back(m.delay);
     std::sort(moments.begin(), moments.end());
 
@@ -256,6 +268,7 @@ void IslandMotion::integrateInParts
     {
         const double start = moments[part], length = moments[part + 1] - start;
         if (!(length > 0)) continue;
+        const double ahead = part + 2 < moments.size() ? 0 : span.ahead;
         IslandMembers there;
         for (std::size_t k = 0; k < before.size(); ++k)
         {
@@ -270,7 +283,8 @@ void IslandMotion::integrateInParts
             c.from = std::max(c.from - start, 0.0);
         }
         if (there.members.empty()) continue;
-        integrate(there, length, now + start, keepExchange);
+        const bool uncut = start == first && (start < 0 || span.uncut);
+        integrate(there, {length, span.now + start, ahead, uncut}, keepExchange);
         island.report.add(there.report);
         bool woke = false;
 

@@ -6,6 +6,7 @@
 
 #include "materials/MaterialTable.hpp"
 #include "system/IslandExchange.hpp"
+#include "system/Span.hpp"
 #include "system/StepReport.hpp"
 #include "island/Island.hpp"
 #include "walls/WallSearch.hpp"
@@ -39,9 +40,9 @@ public:
         const Periodic& periodic
     );
 
-    //- Move the members from time now [s] to now + dt; keepExchange:
-    //  what the gas gives to each is wanted. Errors: numericalError
-    void move(IslandMembers& island, double dt, double now, bool keepExchange);
+    //- Move the members; keepExchange: what the gas gives to each is wanted.
+    //  Errors: numericalError
+    void move(IslandMembers& island, const Span& span, bool keepExchange);
 
 
 private:
@@ -56,8 +57,8 @@ private:
 
     void load(IslandMembers& island, double dt);
     bool wokeAtRim(std::vector<Member>& members) const;
-    void integrate(IslandMembers& island, double dt, double now, bool keepExchange);
-    void integrateInParts(IslandMembers& island, double dt, double now, bool keepExchange);
+    void integrate(IslandMembers& island, const Span& span, bool keepExchange);
+    void integrateInParts(IslandMembers& island, const Span& span, bool keepExchange);
 
     const MaterialTable& materials_;
     const TimeSettings& time_;

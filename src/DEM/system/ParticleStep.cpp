@@ -34,11 +34,16 @@ double ParticleStep::lap()
 }
 
 
-void ParticleStep::advance(double dt, double now, bool keepExchange, StepReport& report)
+void ParticleStep::advance(const Span& span, bool keepExchange, StepReport& report)
 {
+    const double dt = span.dt;
     lap();
     tried_.clear();     // an earlier step may have ended in an error
+    behind_.clear();
     store_.began(dt);
+    store_.behind = 0;
+    for (const auto& entry : store_.delays) store_.behind = std::max(store_.behind, -entry.second);
+    if (!span.uncut || span.ahead > 0) store_.behind = communicator_.max(store_.behind);
     if (communicator_.any(store_.index.anyAwake()))
     {
         Work work;
@@ -49,12 +54,13 @@ void ParticleStep::advance(double dt, double now, bool keepExchange, StepReport&
             work = sortOut();
             report.secondsSearch += lap();
         }
-        while (!tryToMove(work, dt, now, keepExchange, report));
+        while (!tryToMove(work, span, keepExchange, report));
         flyFreely(work.flights, dt, keepExchange, report);
         report.secondsFlight += lap();
     }
     finish(report);
-    store_.entering.clear();
+    store_.delays.swap(behind_);
+    behind_.clear();
     report.secondsSearch += lap();
 }
 
@@ -127,7 +133,7 @@ ParticleStep::Work ParticleStep::sortOut() const
 }
 
 
-StepReport ParticleStep::moveIslands(Work& work, double dt, double now, bool keepExchange)
+StepReport ParticleStep::moveIslands(Work& work, const Span& span, bool keepExchange)
 {
     StepReport report;
     for (auto& entry : work.islands)
@@ -138,7 +144,7 @@ StepReport ParticleStep::moveIslands(Work& work, double dt, double now, bool kee
         {
             std::swap(island, before->second);
         }
-        else motion_.move(island, dt, now, keepExchange);
+        else motion_.move(island, span, keepExchange);
         report.add(island.report);
     }
     return report;
@@ -148,11 +154,11 @@ StepReport ParticleStep::moveIslands(Work& work, double dt, double now, bool kee
 //- Move the islands; false, with nothing moved, if somebody may have missed others
 bool ParticleStep::tryToMove
 (
-    Work& work, double dt, double now, bool keepExchange, StepReport& report
+    Work& work, const Span& span, bool keepExchange, StepReport& report
 )
 {
     const int rank = communicator_.rank();
-    const StepReport moved = moveIslands(work, dt, now, keepExchange);
+    const StepReport moved = moveIslands(work, span, keepExchange);
     report.secondsContact += lap();
 
     std::vector<std::vector<Member>> back(std::size_t(communicator_.size()));
@@ -205,6 +211,7 @@ void ParticleStep::takeBack(const Member& m)
     store_.give(i, m.exchange);
     store_.particles[i] = m.p;
     store_.rest[i] = m.rest;
+    if (m.delay < 0) behind_.emplace(m.p.id, m.delay);
     if (periodic_.on()) store_.particles[i].x = periodic_.wrapped(m.p.x);
     store_.changed(i);
 }

@@ -12,10 +12,12 @@
 #include "system/IslandFinder.hpp"
 #include "system/IslandMotion.hpp"
 #include "system/ParticleStore.hpp"
+#include "system/Span.hpp"
 #include "system/StepReport.hpp"
 
 #include <chrono>
 #include <map>
+#include <unordered_map>
 #include <vector>
 
 namespace dem
@@ -32,9 +34,9 @@ public:
         const WallSearch& walls, const Periodic& periodic, const Communicator& communicator
     );
 
-    //- From time now [s] over dt [s]; keepExchange: with ParticleStore::exchange. Adds to the
-    //  report. Collective. Errors: numericalError
-    void advance(double dt, double now, bool keepExchange, StepReport& report);
+    //- keepExchange: with ParticleStore::exchange. Adds to the report. Collective.
+    //  Errors: numericalError
+    void advance(const Span& span, bool keepExchange, StepReport& report);
 
 
 private:
@@ -50,8 +52,8 @@ private:
 
     Member member(std::size_t i, std::int64_t component) const;
     Work sortOut() const;
-    bool tryToMove(Work& work, double dt, double now, bool keepExchange, StepReport& report);
-    StepReport moveIslands(Work& work, double dt, double now, bool keepExchange);
+    bool tryToMove(Work& work, const Span& span, bool keepExchange, StepReport& report);
+    StepReport moveIslands(Work& work, const Span& span, bool keepExchange);
     bool widenThoseWhoOutran(const std::vector<const Member*>& moved);
     void takeBack(const Member& m);
     void flyFreely
@@ -69,6 +71,7 @@ private:
     IslandMotion motion_;
     IslandExchange exchange_;
     std::map<std::int64_t, IslandMembers> tried_;  // by component, from a try that was not enough
+    std::unordered_map<std::int64_t, double> behind_;  // by id, of this step: ParticleStore::delay
     Clock::time_point clock_;
 };
 

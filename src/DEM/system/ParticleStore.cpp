@@ -57,7 +57,7 @@ std::size_t ParticleStore::add(const Particle& p, double reachOf, double delay)
     {
         throw inputError("id", nameOf(p.id) + " is there already", "unique numbers, 0 or more");
     }
-    if (delay > 0) entering.emplace(p.id, delay);
+    if (delay != 0) delays.emplace(p.id, delay);
     append(particles, p);
     append(gas, {});
     append(rest, {});
@@ -81,6 +81,7 @@ void ParticleStore::setMotion
     p.x = x;
     p.v = v;
     p.omega = omega;
+    delays.erase(p.id);
     wakeUp(rest[i]);
     rest[i].quietTime = 0;
     changed(i);
@@ -154,7 +155,7 @@ void ParticleStore::remove(const std::vector<char>& marked)
         if (i < marked.size() && marked[i])
         {
             indexOf.erase(particles[i].id);
-            if (!entering.empty()) entering.erase(particles[i].id);
+            if (!delays.empty()) delays.erase(particles[i].id);
             rest[i] = RestState();
             count(i);
             continue;

@@ -35,7 +35,8 @@ struct ParticleStore
     std::vector<double> reach;              // of its contacts beyond touch [m]
     std::vector<std::vector<ContactRecord>> contacts;   // as the lower partner
     std::unordered_map<std::int64_t, std::size_t> indexOf;
-    std::unordered_map<std::int64_t, double> entering;      // by id, see delay()
+    std::unordered_map<std::int64_t, double> delays;        // by id, see delay()
+    double behind = 0;                      // the most of all ranks, see delay() [s]
     RestIndex index;                        // who moves, who rests
     std::vector<std::size_t> moved;         // who took part in the last advance(), in any order
     Counts counts;
@@ -49,12 +50,13 @@ struct ParticleStore
     //  are not finite
     std::size_t add(const Particle& p, double reach, double delay = 0);
 
-    //- It enters that long after the next advance() has begun [s]
+    //- It enters that long after the next advance() has begun [s]; negative: it stands where it
+    //  was that long before, at a touch that is still to come (Island::run)
     double delay(std::size_t i) const
     {
-        if (entering.empty()) return 0;
-        const auto found = entering.find(particles[i].id);
-        return found == entering.end() ? 0 : found->second;
+        if (delays.empty()) return 0;
+        const auto found = delays.find(particles[i].id);
+        return found == delays.end() ? 0 : found->second;
     }
 
     //- Change the motion from outside; its cluster wakes. Errors: inputError where not finite

@@ -30,8 +30,10 @@ Path Reach::own(std::size_t i, double dt) const
     const Particle& p = store_.particles[i];
     const RestState& rest = store_.rest[i];
     Path path;
-    // as if it had come along the way that it enters on
-    path.x = p.x - store_.delay(i)*p.v;
+    // as if it had come along the way that it enters on; or gone on, without the touch at which
+    // it stands
+    const double delay = store_.delay(i);
+    path.x = p.x - delay*p.v;
     path.size = p.radius + store_.reach[i];
     if (!store_.awake(i))
     {
@@ -65,6 +67,7 @@ Path Reach::own(std::size_t i, double dt) const
         path.gain = pull*f.p1;
         if (rest.inContact || !store_.contacts[i].empty()) path.pushedFromStart();
     }
+    if (delay < 0) path.pushedFromStart();
     path.corridor = {path.own, path.bend, 0, 0};
     return path;
 }
@@ -75,15 +78,24 @@ Corridor Reach::pushed(std::size_t i, const Path& p, const Crowd& crowd, double 
     const double least = leastPath*store_.particles[i].radius;
     const double fastest = speedMargin*crowd.speed;
     const double beyond = (p.own - crowd.velocity).norm() + p.gain;
-    const Corridor off{p.own, p.bend + least, p.hit, fastest + beyond};
-    const Corridor about{crowd.velocity, least, 0, fastest};
+    const Corridor off = early({p.own, p.bend + least, p.hit, fastest + beyond});
+    const Corridor about = early({crowd.velocity, least, 0, fastest});
     return off.width(dt) < about.width(dt) ? off : about;
 }
 
 
 Corridor Reach::anywhere(std::size_t i, double fastest) const
 {
-    return {Vec3::Zero(), leastPath*store_.particles[i].radius, 0, speedMargin*fastest};
+    return early({Vec3::Zero(), leastPath*store_.particles[i].radius, 0, speedMargin*fastest});
+}
+
+
+//- Who stands behind, and what rests about it, begins earlier than the step: off the middle of
+//  its corridor, and pushed
+Corridor Reach::early(Corridor corridor) const
+{
+    corridor.near += 3*store_.behind*corridor.away;
+    return corridor;
 }
 
 
@@ -97,7 +109,11 @@ Box Reach::box(std::size_t i, const Path& p, double dt) const
         b = {p.x.cwiseMin(end), p.x.cwiseMax(end)};
         around += p.corridor.width(dt);
     }
-    else flightBox(store_.particles[i], store_.gas[i], dt, b.low, b.high);
+    else
+    {
+        const double flown = dt + std::max(-store_.delay(i), 0.0);
+        flightBox(store_.particles[i], store_.gas[i], flown, b.low, b.high);
+    }
     return {b.low.array() - around, b.high.array() + around};
 }
 

@@ -76,6 +76,8 @@ public:
 
 private:
 
+    Corridor early(Corridor corridor) const;
+
     const ParticleStore& store_;
     const WallSearch& walls_;
     const Periodic& periodic_;

@@ -180,9 +180,9 @@ std::size_t System::size() const { return impl_->store.size(); }
 
 std::size_t System::add(const Particle& p, double delay)
 {
-    if (!(delay >= 0 && std::isfinite(delay)))
+    if (!isFinite(delay))
     {
-        throw inputError("delay", "is " + std::to_string(delay), "zero or a positive time [s]");
+        throw inputError("delay", "is " + std::to_string(delay), "a finite time [s]");
     }
     check(p, materials());
     checkCurvature(walls(), p.radius, p.id);
@@ -218,6 +218,12 @@ bool System::resting(std::size_t i) const
 
 const std::vector<std::size_t>& System::awake() const { return impl_->store.index.awake(); }
 const std::vector<std::size_t>& System::moved() const { return impl_->store.moved; }
+
+
+double System::behind(std::size_t i) const
+{
+    return std::max(0.0, -impl_->store.delay(impl_->store.checked(i)));
+}
 
 
 bool System::inContact(std::size_t i) const
@@ -261,13 +267,17 @@ const GasLoad& System::gasLoad(std::size_t i) const
 }
 
 
-StepReport System::advance(double dt)
+StepReport System::advance(double dt, double ahead, bool begins)
 {
     if (!(isFinite(dt) && dt > 0))
     {
         throw inputError("dt", "is " + std::to_string(dt), "a positive time [s]");
     }
-    for (const auto& entry : impl_->store.entering)
+    if (!(isFinite(ahead) && ahead >= 0))
+    {
+        throw inputError("ahead", "is " + std::to_string(ahead), "zero or a positive time [s]");
+    }
+    for (const auto& entry : impl_->store.delays)
     {
         if (entry.second < dt) continue;
         throw inputError
@@ -279,7 +289,7 @@ StepReport System::advance(double dt)
     StepReport report;
     report.energy.kinetic = report.energy.gas = impl_->kicked;
     impl_->kicked = 0;
-    impl_->step.advance(dt, impl_->now, impl_->keepExchange, report);
+    impl_->step.advance({dt, impl_->now, ahead, begins}, impl_->keepExchange, report);
     impl_->now += dt;
     return report;
 }

@@ -81,7 +81,8 @@ public:
 
         //- Errors: inputError on a diameter, density or id that makes no sense, or an id
         //  that this rank has already. delay: it enters, at its place, that long after the next
-        //  advance() has begun [s]: nothing meets it before, and it moves for the rest of that
+        //  advance() has begun [s]: nothing meets it before, and it moves for the rest of that;
+        //  negative: it was there that long before, see behind()
         std::size_t add(const Particle& p, double delay = 0);
 
         //- Remove the marked particles (one flag per index) with their contacts, and close
@@ -121,8 +122,16 @@ public:
 
         //- One particle step of dt [s]. Collective. Afterwards every particle of this rank
         //  has moved, and gasExchange() holds what the gas gave to it.
+        //  ahead [s]: it is a part of a longer one, which goes on for so long with the same gas
+        //  loads; begins: it is the first. Where it is cut makes no difference then
+        //  (gasExchange() does not hold).
         //  Errors: numericalError, with particle, contact and time named.
-        StepReport advance(double dt);
+        StepReport advance(double dt, double ahead = 0, bool begins = true);
+
+        //- A collision that the end of a part would cut in two comes in the next part as a
+        //  whole. Until then its particles stand, within their radius, where they were so long
+        //  before [s]; 0 for all others.
+        double behind(std::size_t index) const;
 
         //- What the gas gave to the particle in the last advance()
         const GasExchange& gasExchange(std::size_t index) const;

@@ -123,7 +123,7 @@ void Foam::dustCloud::addArrival(dustParcel& p)
     dem::System& system = *dem_->system;
     try
     {
-        system.add(particle, max(-p.age(), scalar(0)));
+        system.add(particle, p.age() < 0 ? -p.age() : -p.load()[14]);
         dem_->parcels.add(p);
         p.since() = dem_->clock;
         p.loaded() = false;

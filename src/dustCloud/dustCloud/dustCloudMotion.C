@@ -393,7 +393,7 @@ void Foam::dustCloud::motion(dustParcel::trackingData& td)
             d.forceSeconds += forcing.seconds();
 
             const stopwatch moving;
-            d.gasStep.add(d.system->advance(dt));
+            d.gasStep.add(d.system->advance(dt, d.step.left(), begins));
             d.demSeconds += moving.seconds();
         }
         catch (const dem::numericalError& e)
@@ -467,7 +467,7 @@ void Foam::dustCloud::packLoad(dustParcel& p) const
 {
     const dem::GasLoad& load =
         dem_->system->gasLoad(std::size_t(p.demIndex()));
-    FixedList<scalar, 14>& v = p.load();
+    FixedList<scalar, 15>& v = p.load();
     v[0] = load.Sp;
     v[1] = load.SpOmega;
     for (int i = 0; i < 3; ++i)
@@ -477,12 +477,13 @@ void Foam::dustCloud::packLoad(dustParcel& p) const
         v[8 + i] = load.omegaC[i];
         v[11 + i] = p.kick()[direction(i)];
     }
+    v[14] = dem_->system->behind(std::size_t(p.demIndex()));
 }
 
 
 void Foam::dustCloud::unpackLoad(dustParcel& p)
 {
-    const FixedList<scalar, 14>& v = p.load();
+    const FixedList<scalar, 15>& v = p.load();
     dem::GasLoad load;
     load.Sp = v[0];
     load.SpOmega = v[1];

@@ -324,7 +324,10 @@ TEST(entrance, wrongDelayIsRefused)
 {
     const Law law;
     dem::System system(law.table(), {});
-    EXPECT_THROW(system.add(sphere(law, 1, r, Vec3::Zero()), -1e-6), dem::inputError);
+    for (const double wrong : {double(INFINITY), double(NAN)})
+    {
+        EXPECT_THROW(system.add(sphere(law, 1, r, Vec3::Zero()), wrong), dem::inputError);
+    }
     system.add(sphere(law, 1, r, Vec3::Zero()), 1e-5);
     EXPECT_THROW(system.advance(1e-5), dem::inputError);
     system.advance(2e-5);

@@ -309,7 +309,7 @@ TEST(stepControl, aFlightEndsAtTheTouch)
     dem::Propagator propagator;
     dem::StepReport report;
     propagator.begin(rooms.state);
-    control.begin(rooms.state, candidates, 1, 0);
+    control.begin(rooms.state, candidates, {1});
     const dem::Step step = control.next(rooms.state, propagator, candidates, report);
     EXPECT_TRUE(step.flight);
     EXPECT_TRUE(close(step.h, gap/v, 1e-6));
@@ -336,7 +336,7 @@ TEST(stepControl, withAContactStepsAreEqualPartsOfThePeriod)
     propagator.begin(rooms.state);
     const double m = rooms.state.particles[0].mass;
     const double period = rooms.table.figures(0, 0, r, r, m, m, 0).period, dt = 10.3*period;
-    control.begin(rooms.state, candidates, dt, 0);
+    control.begin(rooms.state, candidates, {dt});
     const dem::Step step = control.next(rooms.state, propagator, candidates, report);
     EXPECT_FALSE(step.flight);
     EXPECT_EQ(report.contactSteps, 1);

@@ -64,7 +64,7 @@ TEST(islandMotion, anUndisturbedPairFliesAsOne)
 {
     Scene s;
     dem::IslandMembers island = s.pair(Vec3(1, 2, 0));
-    s.motion.move(island, 1e-5, 0, true);
+    s.motion.move(island, {1e-5}, true);
     EXPECT_EQ(island.report.aggregateFlights, 1);
     EXPECT_EQ(island.report.contactSteps, 0);
     EXPECT_FALSE(island.outran);
@@ -81,7 +81,7 @@ TEST(islandMotion, whoeverIsDisturbedMovesByItsContacts)
         Scene s;
         dem::IslandMembers island = s.pair(Vec3(1, 0, 0));
         disturb(island);
-        s.motion.move(island, 1e-7, 0, true);
+        s.motion.move(island, {1e-7}, true);
         EXPECT_EQ(island.report.aggregateFlights, 0);
         EXPECT_EQ(island.report.wakes, 2);
         return island.report.contactSteps;
@@ -101,13 +101,13 @@ TEST(islandMotion, aCollisionKeepsMomentumAndTellsWhoLeftItsCorridor)
     dem::IslandMembers narrow = island;
     for (dem::Member& m : narrow.members) m.corridor = {m.p.v, 1e-3*r, 0, 0};
     const Vec3 before = momentum(island);
-    s.motion.move(island, 1e-5, 0, true);
+    s.motion.move(island, {1e-5}, true);
     EXPECT_EQ(island.report.touches, 1);
     EXPECT_EQ(island.report.islands, 1);
     EXPECT_FALSE(island.outran);
     EXPECT_TRUE(scene::near(momentum(island), before, 1e-10*before.norm()));
 
-    s.motion.move(narrow, 1e-5, 0, true);
+    s.motion.move(narrow, {1e-5}, true);
     EXPECT_TRUE(narrow.outran);
     EXPECT_FALSE(narrow.holdsFor(narrow.members));
     EXPECT_TRUE(island.holdsFor(narrow.members));
@@ -139,7 +139,7 @@ TEST(islandMotion, whatWouldWakeTheRimEndsTheRun)
         island.members[2].contacts.push_back({77, -1, {}, {}});     // that is gone
         island.members[2].rim = rim;
         island.members[3].rim = island.members[3].seen = true;
-        s.motion.move(island, 1e-6, 0, true);
+        s.motion.move(island, {1e-6}, true);
         return island;
     };
     const dem::IslandMembers hit = shoot(2, true);

@@ -66,7 +66,7 @@ double growth
             }
         }
         // long, as the steps of one run are equal and end with it
-        try { island.run(20*period, now, report); }
+        try { island.run({20*period, now}, report); }
         catch (const dem::numericalError&) { return 1e300; }
         now += 20*period;
         for (int i = 0; i < n; ++i)
@@ -310,7 +310,7 @@ TEST(stability, aTouchAfterAFlightIsNoBlow)
         }
         for (const dem::Particle& p : particles) island.addParticle(p, {}, {});
         dem::StepReport report;
-        island.run(6*r/v, 0, report);
+        island.run({6*r/v}, report);
         EXPECT_EQ(report.touches, 1);
         EXPECT_EQ(report.separations, 1);
         return island.particle(1).v.z();

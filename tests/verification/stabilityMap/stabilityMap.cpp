@@ -784,7 +784,7 @@ public:
                 island_->addContact(i, r.wall < 0 ? int(r.idJ) : -1, r);
             }
         }
-        island_->run(dt, time_, report);
+        island_->run({dt, time_}, report);
         time_ += dt;
         for (int i = 0; i < n; ++i)
         {

@@ -34,7 +34,7 @@ namespace Foam
 //- Where each begins in dustParcel::load()
 static const List<Tuple2<word, label>> scalars
 ({
-    {"gasLoadSp", 0}, {"gasLoadSpOmega", 1}
+    {"gasLoadSp", 0}, {"gasLoadSpOmega", 1}, {"behind", 14}
 });
 static const List<Tuple2<word, label>> vectors
 ({

@@ -219,6 +219,11 @@ void Foam::restartCheck::motion(const label i, const dustParcel& p) const
         error("gasLoadSp", i, p, text(p.load()[0]) + " kg/s", ">= 0 kg/s");
     }
 
+    if (p.load()[14] < 0 || p.load()[14] > (1 + 1e-9)*p.age())
+    {
+        error("behind", i, p, text(p.load()[14]) + " s", "0 s to its age");
+    }
+
     if (!within(p.age(), -1e-9, 1e15))
     {
         error("age", i, p, text(p.age()) + " s", ">= 0 s");
