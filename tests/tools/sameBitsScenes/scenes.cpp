@@ -527,7 +527,7 @@ Bits longSteps()
     Bits bits(law);
     bits->setWalls(scene::floor());
     bits.add(scene::rain(law, 120, 1.2e-5, 71));
-    bits.run(12, 2e-5, [](dem::System&) {});
+    bits.run(12, 5e-5, [](dem::System&) {});
     require(bits.total.repeats > 0 && bits.total.touches > 60, "repeated steps");
     return bits;
 }
