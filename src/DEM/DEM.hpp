@@ -5,6 +5,7 @@
 #include "advice/adviseRatio.hpp"
 #include "contactModels/contactModel/contactModelTable.hpp"
 #include "contacts/PackedState.hpp"
+#include "foundation/Fields.hpp"
 #include "materials/MaterialTable.hpp"
 #include "particles/errors.hpp"
 #include "reducedStiffness/ReducedStiffness.hpp"

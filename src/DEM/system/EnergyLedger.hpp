@@ -17,22 +17,24 @@
 // Proof: tests/verification/DEM/{energyLedger,matrix}.cpp
 #pragma once
 
+#include "foundation/Sum.hpp"
+
 namespace dem
 {
 
 struct EnergyLedger
 {
-    double kinetic = 0;     // change, translation and spin
-    double normal = 0;      // change of what normal forces store, elastic and adhesive
-    double springs = 0;     // change of what sliding, rolling and twisting springs store
-    double released = 0;    // was stored when a contact ended (neck, springs)
-    double dashpots = 0;    // dissipated
-    double yield = 0;       // dissipated by sliding, rolling and twisting at their limits
-    double plastic = 0;     // work that flattened contacts
-    double rest = 0;        // kinetic energy removed by rest
-    double gas = 0;         // work done by gas and body forces
-    double springGain = 0;  // given by the springs of the laws themselves
-    double stiffening = 0;  // change of stored energy as chi was changed (system/Stiffening.hpp)
+    Sum kinetic;        // change, translation and spin
+    Sum normal;         // change of what normal forces store, elastic and adhesive
+    Sum springs;        // change of what sliding, rolling and twisting springs store
+    Sum released;       // was stored when a contact ended (neck, springs)
+    Sum dashpots;       // dissipated
+    Sum yield;          // dissipated by sliding, rolling and twisting at their limits
+    Sum plastic;        // work that flattened contacts
+    Sum rest;           // kinetic energy removed by rest
+    Sum gas;            // work done by gas and body forces
+    Sum springGain;     // given by the springs of the laws themselves
+    Sum stiffening;     // change of stored energy as chi was changed (system/Stiffening.hpp)
 
     double residual() const
     {
@@ -41,7 +43,7 @@ struct EnergyLedger
           - gas - springGain - stiffening;
     }
 
-    void add(const EnergyLedger& o)
+    EnergyLedger& operator+=(const EnergyLedger& o)
     {
         kinetic += o.kinetic;
         normal += o.normal;
@@ -54,6 +56,23 @@ struct EnergyLedger
         gas += o.gas;
         springGain += o.springGain;
         stiffening += o.stiffening;
+        return *this;
+    }
+
+    template<class S, class F>
+    static void fields(S& s, F& f)
+    {
+        f(s.kinetic);
+        f(s.normal);
+        f(s.springs);
+        f(s.released);
+        f(s.dashpots);
+        f(s.yield);
+        f(s.plastic);
+        f(s.rest);
+        f(s.gas);
+        f(s.springGain);
+        f(s.stiffening);
     }
 };
 

@@ -29,7 +29,7 @@ void StepReport::add(const StepReport& o)
     minStepsPerContact = std::min(minStepsPerContact, o.minStepsPerContact);
     maxStepOverBound = std::max(maxStepOverBound, o.maxStepOverBound);
     energyRemovedByRest += o.energyRemovedByRest;
-    energy.add(o.energy);
+    energy += o.energy;
     secondsSearch += o.secondsSearch;
     secondsContact += o.secondsContact;
     secondsFlight += o.secondsFlight;

@@ -18,8 +18,8 @@ struct StepReport
     std::int64_t aggregateFlights = 0;  // aggregates moved as one body over the whole step
     std::int64_t repeats = 0;           // steps done again, as particles left their boxes
     std::int64_t touches = 0;           // contacts formed
-    double touchSpeed = 0;              // sum of their speeds of approach [m/s]
-    double touchSpeedSquare = 0;        // sum of the squares of these [m2/s2]
+    Sum touchSpeed;                     // sum of their speeds of approach [m/s]
+    Sum touchSpeedSquare;               // sum of the squares of these [m2/s2]
     // contacts with walls formed by particles that the gas has brought: tau_p v_n < r, i.e. they
     // would have stopped within their radius, and no other force has driven them
     std::int64_t followerTouches = 0;
@@ -34,7 +34,7 @@ struct StepReport
     // largest contact step over its stability bound, at the end of each island; with the energy
     // ledger on also over that of the contacts as each step left them
     double maxStepOverBound = 0;
-    double energyRemovedByRest = 0;     // [J]
+    Sum energyRemovedByRest;            // [J]
     EnergyLedger energy;                // timeIntegration { energyLedger on; } only
     double secondsSearch = 0;           // broad phase, ghosts, islands
     double secondsContact = 0;          // integration of islands

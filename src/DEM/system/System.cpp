@@ -111,7 +111,7 @@ public:
     ParticleStore store;
     ParticleStep step;
     bool keepExchange = false;
-    double kicked = 0;      // work of kick() since the last advance() [J]
+    Sum kicked;             // work of kick() since the last advance() [J]
     double now = 0;
 };
 
@@ -288,7 +288,7 @@ StepReport System::advance(double dt, double ahead, bool begins)
     }
     StepReport report;
     report.energy.kinetic = report.energy.gas = impl_->kicked;
-    impl_->kicked = 0;
+    impl_->kicked = Sum();
     impl_->step.advance({dt, impl_->now, ahead, begins}, impl_->keepExchange, report);
     impl_->now += dt;
     return report;

@@ -26,8 +26,10 @@ License
 #include "dustKeywords.H"
 #include "ledgerCheck.H"
 #include "modelTable.H"
+#include "parcelPlaces.H"
 #include "patchWalls.H"
 #include "runForecast.H"
+#include "sumOverRanks.H"
 #include "untrapped.H"
 
 #include "wallPolyPatch.H"
@@ -123,7 +125,11 @@ void Foam::dustCloud::addArrival(dustParcel& p)
     dem::System& system = *dem_->system;
     try
     {
-        system.add(particle, p.age() < 0 ? -p.age() : -p.load()[14]);
+        system.add
+        (
+            particle,
+            p.age() < 0 ? -p.age() : -p.load()[dustParcel::loadBehind]
+        );
         dem_->parcels.add(p);
         p.since() = dem_->clock;
         p.loaded() = false;
@@ -322,7 +328,7 @@ Foam::dustCloud::dustCloud
     findOwnForces();
 
     readParcels();
-    findAgain();
+    parcelPlaces(*this).findAgain();
     readInjectors();
 
     if (d.properties.automaticRatio())
@@ -447,20 +453,7 @@ bool Foam::dustCloud::keepsEnergyLedger() const
 
 dem::EnergyLedger Foam::dustCloud::energyLedger() const
 {
-    dem::EnergyLedger e = dem_->totals.energy;
-    for
-    (
-        double* part :
-        {
-            &e.kinetic, &e.normal, &e.springs, &e.released, &e.dashpots,
-            &e.yield, &e.plastic, &e.rest, &e.gas, &e.springGain,
-            &e.stiffening
-        }
-    )
-    {
-        *part = returnReduce(scalar(*part), sumOp<scalar>());
-    }
-    return e;
+    return sumOverRanks(dem_->totals.energy);
 }
 
 

@@ -467,30 +467,34 @@ void Foam::dustCloud::packLoad(dustParcel& p) const
 {
     const dem::GasLoad& load =
         dem_->system->gasLoad(std::size_t(p.demIndex()));
-    FixedList<scalar, 15>& v = p.load();
-    v[0] = load.Sp;
-    v[1] = load.SpOmega;
+    auto& v = p.load();
+    v[dustParcel::loadSp] = load.Sp;
+    v[dustParcel::loadSpOmega] = load.SpOmega;
     for (int i = 0; i < 3; ++i)
     {
-        v[2 + i] = load.Uc[i];
-        v[5 + i] = load.Su[i];
-        v[8 + i] = load.omegaC[i];
-        v[11 + i] = p.kick()[direction(i)];
+        v[dustParcel::loadUc + i] = load.Uc[i];
+        v[dustParcel::loadSu + i] = load.Su[i];
+        v[dustParcel::loadOmegaC + i] = load.omegaC[i];
+        v[dustParcel::loadKick + i] = p.kick()[direction(i)];
     }
-    v[14] = dem_->system->behind(std::size_t(p.demIndex()));
+    v[dustParcel::loadBehind] =
+        dem_->system->behind(std::size_t(p.demIndex()));
 }
 
 
 void Foam::dustCloud::unpackLoad(dustParcel& p)
 {
-    const FixedList<scalar, 15>& v = p.load();
+    const auto& v = p.load();
     dem::GasLoad load;
-    load.Sp = v[0];
-    load.SpOmega = v[1];
-    load.Uc = dem::Vec3(v[2], v[3], v[4]);
-    load.Su = dem::Vec3(v[5], v[6], v[7]);
-    load.omegaC = dem::Vec3(v[8], v[9], v[10]);
-    p.kick() = vector(v[11], v[12], v[13]);
+    load.Sp = v[dustParcel::loadSp];
+    load.SpOmega = v[dustParcel::loadSpOmega];
+    for (int i = 0; i < 3; ++i)
+    {
+        load.Uc[i] = v[dustParcel::loadUc + i];
+        load.Su[i] = v[dustParcel::loadSu + i];
+        load.omegaC[i] = v[dustParcel::loadOmegaC + i];
+        p.kick()[direction(i)] = v[dustParcel::loadKick + i];
+    }
     p.loadHolds() = p.loadHolds() && dem_->step.underWay();
     dem_->system->setGasLoad(std::size_t(p.demIndex()), load);
 }

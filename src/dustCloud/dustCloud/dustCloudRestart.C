@@ -25,16 +25,13 @@ License
 #include "masterFirst.H"
 #include "parcelChecksums.H"
 #include "restartCheck.H"
-
-#include "fvcSurfaceIntegrate.H"
+#include "untrapped.H"
 
 #include "InjectionModelList.H"
 #include "DispersionModel.H"
 #include "PatchInteractionModel.H"
 #include "StochasticCollisionModel.H"
 #include "SurfaceFilmModel.H"
-
-#include <cmath>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -118,10 +115,14 @@ void Foam::dustCloud::readParcels()
         nWalls = ledgerPtr->get<wordList>("walls").size();
     }
 
-    dustParcel::readFields(*this);
-    if (dem_->step.underWay())
+    const bool underWay = dem_->step.underWay();
     {
-        loadFiles::read(*this);
+        const untrapped reading;
+        dustParcel::readFields(*this);
+        if (underWay)
+        {
+            loadFiles::read(*this);
+        }
     }
 
     const restartCheck check(*this, dem_->properties, nWalls, ledgerPtr);
@@ -337,115 +338,6 @@ void Foam::dustCloud::closeWalls()
     d.wallsThen.clear();
     d.ended.clear();
     d.wallNow.clear();
-}
-
-
-void Foam::dustCloud::findAgain()
-{
-    // Whether the stored tetrahedron is one of this mesh
-    const auto fits = [this](const dustParcel& p)
-    {
-        const barycentric& b = p.coordinates();
-        if
-        (
-            p.cell() < 0 || p.cell() >= mesh_.nCells()
-         || !std::isfinite(b.a()) || !std::isfinite(b.b())
-         || !std::isfinite(b.c()) || !std::isfinite(b.d())
-         || mag(b.a()) > 1e6 || mag(b.b()) > 1e6 || mag(b.c()) > 1e6
-        )
-        {
-            return false;
-        }
-        return
-            mesh_.cells()[p.cell()].found(p.tetFace())
-         && p.tetPt() > 0
-         && p.tetPt() < mesh_.faces()[p.tetFace()].size() - 1;
-    };
-    const auto width = [this](const label celli)
-    {
-        return cbrt(mesh_.V()[celli]);
-    };
-
-    // A particle's tracked place is where it is, but for one whose way was
-    // blocked: then it is less than a cell away
-    bool renumbered = false;
-    for (const dustParcel& p : *this)
-    {
-        renumbered =
-            renumbered
-         || !fits(p)
-         || (
-                mag(way(p.position(), p.x())) > width(p.cell())
-             && !mesh_.pointInCell(p.x(), p.cell())
-            );
-    }
-
-    if (!returnReduce(renumbered, orOp<bool>()))
-    {
-        return;
-    }
-
-    // renumberMesh treats the fields of one time only. Those of another have
-    // sources everywhere: no gas of a solver has.
-    if (mesh_.foundObject<surfaceScalarField>("phi"))
-    {
-        const surfaceScalarField& phi =
-            mesh_.lookupObject<surfaceScalarField>("phi");
-        const scalar in = gSum
-        (
-            mag(fvc::surfaceIntegrate(phi)().primitiveField())*mesh_.V()
-        );
-        const scalar through =
-            gSum(fvc::surfaceSum(mag(phi))().primitiveField());
-
-        if (in > 0.01*through)
-        {
-            FatalErrorInFunction
-                << "The cells are not numbered as when time "
-                << mesh_.time().timeName() << " was written, and its gas"
-                << " fields were not renumbered with them: the flux has"
-                << " sources of " << in/through << " of what flows through"
-                << " the cells" << nl
-                << "    Restore the mesh, and use renumberMesh -latestTime"
-                << " (decomposed: on every rank), which renumbers the fields,"
-                << " too; the particles are found by their place"
-                << exit(FatalError);
-        }
-    }
-
-    label n = 0;
-    for (dustParcel& p : *this)
-    {
-        if (fits(p) && mag(way(p.position(), p.x())) < 1e-6*width(p.cell()))
-        {
-            continue;
-        }
-
-        label celli = mesh_.findCell(p.x());
-        if (celli < 0)
-        {
-            celli = mesh_.findNearestCell(p.x());
-
-            if (mag(mesh_.C()[celli] - p.x()) > width(celli))
-            {
-                FatalErrorInFunction
-                    << "Particle " << p.origProc() << ':' << p.origId()
-                    << " at " << p.x() << " is not in the mesh"
-                    << (Pstream::parRun() ? " of its rank" : "") << nl
-                    << "    The mesh is not the one that lagrangian/" << name()
-                    << " of time " << mesh_.time().timeName()
-                    << " was written with: restore it (and decompose anew), or"
-                    << " start from another time" << exit(FatalError);
-            }
-        }
-        p.relocate(p.x(), celli);
-        ++n;
-    }
-
-    Info<< "Warning: the cells are not numbered as when time "
-        << mesh_.time().timeName() << " was written: "
-        << returnReduce(n, sumOp<label>())
-        << " particles were found again by their place" << nl << endl;
 }
 
 

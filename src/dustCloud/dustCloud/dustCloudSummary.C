@@ -25,6 +25,7 @@ License
 #include "dustSnapshot.H"
 #include "formatted.H"
 #include "runSummary.H"
+#include "sumOverRanks.H"
 
 #include "DispersionModel.H"
 
@@ -48,9 +49,12 @@ static dem::StepReport ofAllRanks(dem::StepReport r)
     {
         *n = std::int64_t(returnReduce(scalar(*n), sumOp<scalar>()));
     }
-    for (double* x : {&r.touchSpeed, &r.touchSpeedSquare, &r.energyRemovedByRest})
+    for
+    (
+        dem::Sum* x : {&r.touchSpeed, &r.touchSpeedSquare, &r.energyRemovedByRest}
+    )
     {
-        reduce(*x, sumOp<scalar>());
+        *x = sumOverRanks(*x);
     }
     reduce(r.maxOverlapOverDiameter, maxOp<scalar>());
     reduce(r.minStepsPerContact, minOp<scalar>());

@@ -30,6 +30,15 @@ bool Foam::gasLoads::atPoint() const
 }
 
 
+Foam::point Foam::gasLoads::midway(const point& x) const
+{
+    const vector way(x - p_.x());
+    const scalar most = cbrt(p_.mesh().cellVolumes()[p_.cell()]);
+    const scalar length = mag(way);
+    return length > most ? p_.x() + most/length*way : x;
+}
+
+
 Foam::scalar Foam::gasLoads::Re(const scalar slip) const
 {
     return td_.rhoc()*slip*p_.d()/max(td_.muc(), ROOTVSMALL);
@@ -152,7 +161,7 @@ dem::GasLoad Foam::gasLoads::flight
 
         load.Uc = toVec3
         (
-            td_.UInterp().interpolate(toVector(half.x), p_.cell())
+            td_.UInterp().interpolate(midway(toVector(half.x)), p_.cell())
           + fluctuation
         );
     }

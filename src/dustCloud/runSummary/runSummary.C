@@ -137,7 +137,7 @@ void Foam::runSummary::printWork(Ostream& os) const
             w.minStepsPerContact < 1e100
           ? formatted("%.3g", w.minStepsPerContact).c_str()
           : "-",
-            w.maxStepOverBound, w.energyRemovedByRest
+            w.maxStepOverBound, double(w.energyRemovedByRest)
         ).c_str()
         << remarks.c_str();
     if (imbalance >= 0)
@@ -277,8 +277,10 @@ std::string Foam::runSummary::energyText(const dem::EnergyLedger& e)
         "%.3g, released %.3g, dashpots %.3g, yield %.3g, plastic %.3g, rest "
         "%.3g; work of the gas %.3g, spring gain %.3g, changes of chi %.3g; "
         "residual %.2g",
-        e.kinetic, e.normal, e.springs, e.released, e.dashpots, e.yield,
-        e.plastic, e.rest, e.gas, e.springGain, e.stiffening, e.residual()
+        double(e.kinetic), double(e.normal), double(e.springs),
+        double(e.released), double(e.dashpots), double(e.yield),
+        double(e.plastic), double(e.rest), double(e.gas),
+        double(e.springGain), double(e.stiffening), e.residual()
     );
 }
 

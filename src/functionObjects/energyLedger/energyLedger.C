@@ -90,17 +90,17 @@ bool Foam::functionObjects::energyLedger::write()
     file_.row
     (
         time_.value(),
-        e.kinetic,
-        e.normal,
-        e.springs,
-        e.released,
-        e.dashpots,
-        e.yield,
-        e.plastic,
-        e.rest,
-        e.gas,
-        e.springGain,
-        e.stiffening,
+        double(e.kinetic),
+        double(e.normal),
+        double(e.springs),
+        double(e.released),
+        double(e.dashpots),
+        double(e.yield),
+        double(e.plastic),
+        double(e.rest),
+        double(e.gas),
+        double(e.springGain),
+        double(e.stiffening),
         e.residual()
     );
 

@@ -235,7 +235,7 @@ TEST(stiffening, theLedgerCloses)
     // contacts begin with overlaps, which nobody has paid for
     for (int k = 0; k < 100; ++k) system.advance(1e-6);
     dem::EnergyLedger e;
-    for (int k = 0; k < 50; ++k) e.add(system.advance(1e-6).energy);
+    for (int k = 0; k < 50; ++k) e += system.advance(1e-6).energy;
     // each particle has the contact with the one below in the list of the lower
     ASSERT_EQ(system.contacts()[0].idJ, -1);
     const formula::Contact wall = law.contact(r, -1);
@@ -249,7 +249,7 @@ TEST(stiffening, theLedgerCloses)
     e.normal += done.normal;
     e.springs += done.springs;
     e.stiffening += done.normal + done.springs;
-    for (int k = 0; k < 50; ++k) e.add(system.advance(1e-6).energy);
+    for (int k = 0; k < 50; ++k) e += system.advance(1e-6).energy;
     // F_C delta_0 is the same at any chi: only what the load adds to it changes
     EXPECT_GT(std::fabs(e.stiffening), 0.01*c.pullOff()*c.delta0());
     EXPECT_LT(std::fabs(e.residual()), 0.05*std::fabs(e.stiffening));

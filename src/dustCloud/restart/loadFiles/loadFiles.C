@@ -34,11 +34,16 @@ namespace Foam
 //- Where each begins in dustParcel::load()
 static const List<Tuple2<word, label>> scalars
 ({
-    {"gasLoadSp", 0}, {"gasLoadSpOmega", 1}, {"behind", 14}
+    {"gasLoadSp", dustParcel::loadSp},
+    {"gasLoadSpOmega", dustParcel::loadSpOmega},
+    {"behind", dustParcel::loadBehind}
 });
 static const List<Tuple2<word, label>> vectors
 ({
-    {"gasLoadUc", 2}, {"gasLoadSu", 5}, {"gasLoadOmegaC", 8}, {"gasKick", 11}
+    {"gasLoadUc", dustParcel::loadUc},
+    {"gasLoadSu", dustParcel::loadSu},
+    {"gasLoadOmegaC", dustParcel::loadOmegaC},
+    {"gasKick", dustParcel::loadKick}
 });
 
 

@@ -39,8 +39,11 @@ namespace Foam
 //- Faster than any dust, and slow enough for squares of it
 static const scalar fastest = 1e5;
 
-//- Turns per second that the speed of sound at the surface of 0.1 um gives
-static const scalar fastestSpin = 1e11;
+//- What spin gives the surface of dust is slower than this [m/s]
+static const scalar fastestSurface = 1e3;
+
+//- What gas does to dust takes longer than this [s]
+static const scalar shortest = 1e-15;
 
 
 // std::isfinite first: comparing what is not a number may trap
@@ -204,25 +207,9 @@ void Foam::restartCheck::motion(const label i, const dustParcel& p) const
     };
     vectorField("U", p.U(), fastest, " m/s");
     vectorField("UTurb", p.UTurb(), fastest, " m/s");
-    vectorField("omega", p.omega(), fastestSpin, " rad/s");
+    vectorField("omega", p.omega(), 2*fastestSurface/p.d(), " rad/s");
     vectorField("x", p.x(), 1e10, " m");
     vectorField("owedImpulse", p.owed(), 1, " N s");
-    for (const scalar v : p.load())
-    {
-        if (!within(v, -1e15, 1e15))
-        {
-            error("gasLoad*", i, p, text(v), "finite");
-        }
-    }
-    if (p.load()[0] < 0)
-    {
-        error("gasLoadSp", i, p, text(p.load()[0]) + " kg/s", ">= 0 kg/s");
-    }
-
-    if (p.load()[14] < 0 || p.load()[14] > (1 + 1e-9)*p.age())
-    {
-        error("behind", i, p, text(p.load()[14]) + " s", "0 s to its age");
-    }
 
     if (!within(p.age(), -1e-9, 1e15))
     {
@@ -243,6 +230,52 @@ void Foam::restartCheck::motion(const label i, const dustParcel& p) const
             "0 (airborne), 1 (in contact), 2 (at rest)"
         );
     }
+}
+
+
+void Foam::restartCheck::loads(const label i, const dustParcel& p) const
+{
+    const auto& load = p.load();
+    const auto check = [&]
+    (
+        const char* field,
+        const label first,
+        const label n,
+        const scalar least,
+        const scalar most,
+        const char* unit
+    )
+    {
+        for (label k = first; k < first + n; ++k)
+        {
+            if (!within(load[k], least, most))
+            {
+                error
+                (
+                    field,
+                    i,
+                    p,
+                    text(load[k]) + unit,
+                    text(least) + " to " + text(most) + unit
+                );
+            }
+        }
+    };
+    const scalar m = p.mass();
+    const scalar inertia = m*sqr(p.d());
+    const scalar spin = 2*fastestSurface/p.d();
+    const scalar force = m*fastest/shortest;
+    const scalar kick = m*fastest;
+
+    typedef dustParcel dust;
+    check("gasLoadSp", dust::loadSp, 1, 0, m/shortest, " kg/s");
+    check("gasLoadSpOmega", dust::loadSpOmega, 1, 0, inertia/shortest, " N m s");
+    check("gasLoadUc", dust::loadUc, 3, -fastest, fastest, " m/s");
+    check("gasLoadSu", dust::loadSu, 3, -force, force, " N");
+    check("gasLoadOmegaC", dust::loadOmegaC, 3, -spin, spin, " rad/s");
+    check("gasKick", dust::loadKick, 3, -kick, kick, " N s");
+    const scalar age = (1 + 1e-9)*max(p.age(), scalar(0));
+    check("behind", dust::loadBehind, 1, 0, age, " s");
 }
 
 
@@ -277,6 +310,10 @@ void Foam::restartCheck::values() const
     {
         fixedValues(i, p);
         motion(i, p);
+        if (p.loadHolds())
+        {
+            loads(i, p);
+        }
         contacts(i, p);
         ++i;
     }
