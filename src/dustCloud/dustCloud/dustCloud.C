@@ -303,10 +303,14 @@ Foam::dustCloud::dustCloud
 {
     if (!solution_.active() || solution_.steadyState())
     {
-        FatalIOErrorInFunction(particleProperties_)
-            << "solution needs 'active true' and 'transient yes', and"
-            << " system/fvSchemes a transient ddtScheme, for example Euler,"
-            << " for a frozen gas, too" << exit(FatalIOError);
+        dustProperties::error
+        (
+            particleProperties_.subDict("solution"),
+            solution_.active() ? "transient" : "active",
+            "is off, or system/fvSchemes has no transient ddtScheme",
+            "active true; transient yes; and, for a frozen gas, too, a"
+            " transient ddtScheme, for example Euler"
+        );
     }
 
     demData& d = *dem_;

@@ -125,7 +125,14 @@ void Foam::dustCloud::readParcels()
         }
     }
 
-    const restartCheck check(*this, dem_->properties, nWalls, ledgerPtr);
+    const restartCheck check
+    (
+        *this,
+        dem_->properties,
+        nWalls,
+        ledgerPtr,
+        dem_->gasSpeed
+    );
     if (ledgerPtr)
     {
         checkSums(*ledgerPtr);

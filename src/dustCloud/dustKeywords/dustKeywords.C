@@ -344,6 +344,21 @@ void Foam::dustKeywords::checkBlock
 
     checkMissing(dict, path, valid);
 
+    if (path == "subModels/injectionModels/*/sizeDistribution")
+    {
+        // It is not `missing` to OpenFOAM, which reads an empty one
+        const word numbers(typeOf(dict) + "Distribution");
+        if (!dict.isDict(numbers))
+        {
+            dustProperties::error
+            (
+                dict,
+                numbers,
+                "is missing",
+                "{ the numbers of the distribution }"
+            );
+        }
+    }
     if (path == "subModels/injectionModels/*/sizeDistribution/*")
     {
         checkSizes(dict);

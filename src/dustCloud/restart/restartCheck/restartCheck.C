@@ -45,6 +45,9 @@ static const scalar fastestSurface = 1e3;
 //- What gas does to dust takes longer than this [s]
 static const scalar shortest = 1e-15;
 
+//- Weight and forces beside drag accelerate dust by less than this [m/s2]
+static const scalar steepest = 1e6;
+
 
 // std::isfinite first: comparing what is not a number may trap
 
@@ -264,13 +267,14 @@ void Foam::restartCheck::loads(const label i, const dustParcel& p) const
     const scalar m = p.mass();
     const scalar inertia = m*sqr(p.d());
     const scalar spin = 2*fastestSurface/p.d();
-    const scalar force = m*fastest/shortest;
-    const scalar kick = m*fastest;
+    const scalar gas = max(scalar(1e3), 10*gasSpeed_);
+    const scalar kick = m*gas;
 
     typedef dustParcel dust;
     check("gasLoadSp", dust::loadSp, 1, 0, m/shortest, " kg/s");
     check("gasLoadSpOmega", dust::loadSpOmega, 1, 0, inertia/shortest, " N m s");
-    check("gasLoadUc", dust::loadUc, 3, -fastest, fastest, " m/s");
+    check("gasLoadUc", dust::loadUc, 3, -gas, gas, " m/s");
+    const scalar force = load[dust::loadSp]*gas + m*steepest;
     check("gasLoadSu", dust::loadSu, 3, -force, force, " N");
     check("gasLoadOmegaC", dust::loadOmegaC, 3, -spin, spin, " rad/s");
     check("gasKick", dust::loadKick, 3, -kick, kick, " N s");
