@@ -97,6 +97,22 @@ const Foam::word& Foam::dustCloud::checkInput
 }
 
 
+void Foam::dustCloud::checkSolution() const
+{
+    if (!solution_.active() || solution_.steadyState())
+    {
+        dustProperties::error
+        (
+            particleProperties_.subDict("solution"),
+            solution_.active() ? "transient" : "active",
+            "is off, or system/fvSchemes has no transient ddtScheme",
+            "active true; transient yes; and, for a frozen gas, too, a"
+            " transient ddtScheme, for example Euler"
+        );
+    }
+}
+
+
 void Foam::dustCloud::checkGas() const
 {
     forAll(U_, celli)
@@ -301,18 +317,7 @@ Foam::dustCloud::dustCloud
     nextId_(0),
     snapshotTimeIndex_(-1)
 {
-    if (!solution_.active() || solution_.steadyState())
-    {
-        dustProperties::error
-        (
-            particleProperties_.subDict("solution"),
-            solution_.active() ? "transient" : "active",
-            "is off, or system/fvSchemes has no transient ddtScheme",
-            "active true; transient yes; and, for a frozen gas, too, a"
-            " transient ddtScheme, for example Euler"
-        );
-    }
-
+    checkSolution();
     demData& d = *dem_;
     d.escaping.setSize(escaped_.size());
     d.escapingOf.setSize(label(d.properties.materials().size()));

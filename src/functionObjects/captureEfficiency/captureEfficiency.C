@@ -29,7 +29,6 @@ License
 #include "IOdictionary.H"
 #include "OStringStream.H"
 
-#include <algorithm>
 #include <limits>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -45,21 +44,6 @@ namespace functionObjects
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-Foam::label Foam::functionObjects::captureEfficiency::classOf
-(
-    const scalar d
-) const
-{
-    const label above = label
-    (
-        std::upper_bound(diameters_.begin(), diameters_.end(), d)
-      - diameters_.begin()
-    );
-    const label classes = diameters_.size() - 1;
-    return above > 0 && above <= classes ? above - 1 : classes;
-}
-
 
 Foam::IOobject Foam::functionObjects::captureEfficiency::stateFile
 (
@@ -81,13 +65,13 @@ Foam::IOobject Foam::functionObjects::captureEfficiency::stateFile
 
 void Foam::functionObjects::captureEfficiency::readState()
 {
-    passed_.setSize(diameters_.size(), 0);
+    passed_.setSize(classes_.size() + 1, 0);
 
     IOobject io(stateFile(IOobject::MUST_READ));
     if (io.typeHeaderOk<IOdictionary>(true))
     {
         const IOdictionary state(io);
-        if (state.get<scalarList>("diameters") != diameters_)
+        if (state.get<scalarList>("diameters") != classes_.limits())
         {
             OStringStream then;
             then<< state.get<scalarList>("diameters");
@@ -147,27 +131,7 @@ bool Foam::functionObjects::captureEfficiency::read(const dictionary& dict)
     functionKeywords::check(dict, {"diameters"});
     cloudName_ = dict.lookupOrDefault<word>("cloud", "dust");
 
-    const scalarList diameters(dict.get<scalarList>("diameters"));
-    bool ascending = diameters.size() >= 2 && diameters[0] >= 0;
-    for (label i = 1; i < diameters.size(); ++i)
-    {
-        ascending = ascending && diameters[i] > diameters[i - 1];
-    }
-    if (!ascending || (passed_.size() && diameters != diameters_))
-    {
-        OStringStream given;
-        given<< "is " << diameters
-            << (ascending ? ", others than before" : "");
-        dustProperties::error
-        (
-            dict,
-            "diameters",
-            given.str(),
-            "two or more limits of classes in m, ascending, the same for the"
-            " whole run"
-        );
-    }
-    diameters_ = diameters;
+    classes_.read(dict);
     return true;
 }
 
@@ -178,7 +142,7 @@ bool Foam::functionObjects::captureEfficiency::execute()
 
     for (const scalar d : cloud.escapedInStep())
     {
-        ++passed_[classOf(d)];
+        ++passed_[classes_.of(d)];
     }
     return true;
 }
@@ -188,13 +152,13 @@ bool Foam::functionObjects::captureEfficiency::write()
 {
     const dustCloud& cloud = mesh_.lookupObject<dustCloud>(cloudName_);
     const polyBoundaryMesh& patches = mesh_.boundaryMesh();
-    const label classes = diameters_.size() - 1;
+    const label classes = classes_.size();
 
     List<labelList> captured(patches.size(), labelList(classes + 1, 0));
     label outside = passed_[classes];
     for (const auto& p : cloud.snapshot().particles)
     {
-        const label i = classOf(p.d);
+        const label i = classes_.of(p.d);
         outside += i == classes;
         if (p.patch >= 0)
         {
@@ -223,8 +187,8 @@ bool Foam::functionObjects::captureEfficiency::write()
             (
                 time_.value(),
                 pp.name(),
-                diameters_[i],
-                diameters_[i + 1],
+                classes_.low(i),
+                classes_.high(i),
                 passed_[i],
                 k,
                 n ? scalar(k)/n : std::numeric_limits<scalar>::quiet_NaN(),
@@ -237,7 +201,7 @@ bool Foam::functionObjects::captureEfficiency::write()
     if (time_.writeTime())
     {
         IOdictionary state(stateFile(IOobject::NO_READ));
-        state.add("diameters", diameters_);
+        state.add("diameters", classes_.limits());
         state.add("passed", passed_);
         state.regIOobject::write();
     }

@@ -272,7 +272,15 @@ void Foam::restartCheck::loads(const label i, const dustParcel& p) const
 
     typedef dustParcel dust;
     check("gasLoadSp", dust::loadSp, 1, 0, m/shortest, " kg/s");
-    check("gasLoadSpOmega", dust::loadSpOmega, 1, 0, inertia/shortest, " N m s");
+    check
+    (
+        "gasLoadSpOmega",
+        dust::loadSpOmega,
+        1,
+        0,
+        inertia/shortest,
+        " N m s"
+    );
     check("gasLoadUc", dust::loadUc, 3, -gas, gas, " m/s");
     const scalar force = load[dust::loadSp]*gas + m*steepest;
     check("gasLoadSu", dust::loadSu, 3, -force, force, " N");

@@ -107,6 +107,13 @@ static bool blocksAreCut(const std::string& text)
 }
 
 
+//- The mark while it is written
+static fileName beside(const fileName& mark)
+{
+    return mark + ".new";
+}
+
+
 //- Whether a file of OpenFOAM has no end
 static bool hasNoEnd(const fileName& file)
 {
@@ -143,9 +150,9 @@ bool Foam::timeFiles::mark(const fileName& file, const bool complete)
     mkDir(file.path());
 
     // Renamed: it is there as a whole or not at all
-    const fileName beside(file + ".new");
+    const fileName fresh(beside(file));
     {
-        std::ofstream os(beside);
+        std::ofstream os(fresh);
         os  << "FoamFile\n{\n    version     2.0;\n    format      ascii;\n"
             << "    class       dictionary;\n    object      "
             << file.name() << ";\n}\n\n"
@@ -156,7 +163,7 @@ bool Foam::timeFiles::mark(const fileName& file, const bool complete)
             return false;
         }
     }
-    return std::rename(beside.c_str(), file.c_str()) == 0;
+    return std::rename(fresh.c_str(), file.c_str()) == 0;
 }
 
 
@@ -169,6 +176,11 @@ bool Foam::timeFiles::complete(const fileName& directory, const fileName& mark)
         return
             at != std::string::npos
          && text.find("yes;", at) != std::string::npos;
+    }
+    // Nothing is written before the mark
+    if (!mark.empty() && isFile(beside(mark), false))
+    {
+        return false;
     }
     // One that is not there is nobody's half-written one
     return !isDir(directory) || !all(directory).empty();
