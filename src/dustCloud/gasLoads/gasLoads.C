@@ -20,6 +20,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "gasLoads.H"
+#include "cellCrossing.H"
 #include "cellWall.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -33,9 +34,8 @@ bool Foam::gasLoads::atPoint() const
 Foam::point Foam::gasLoads::midway(const point& x) const
 {
     const vector way(x - p_.x());
-    const scalar most = cbrt(p_.mesh().cellVolumes()[p_.cell()]);
-    const scalar length = mag(way);
-    return length > most ? p_.x() + most/length*way : x;
+    const scalar cells = cellCrossing(p_.mesh(), p_.cell(), way);
+    return cells > 1 ? p_.x() + way/cells : x;
 }
 
 

@@ -81,7 +81,11 @@ Foam::functionObjects::depositionVelocity::depositionVelocity
     )
 {
     read(dict);
-    before_ = now();
+    // Solvers without dust build the functions of the case, too
+    if (mesh_.foundObject<dustCloud>(cloudName_))
+    {
+        before_ = now();
+    }
 }
 
 
