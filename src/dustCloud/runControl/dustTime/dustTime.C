@@ -22,6 +22,7 @@ License
 #include "dustCloudData.H"
 #include "dustTime.H"
 #include "stopSignals.H"
+#include "controlKeywords.H"
 #include "dictionaryLines.H"
 #include "dustProperties.H"
 #include "timeFiles.H"
@@ -420,6 +421,7 @@ Foam::dustTime::dustTime(const argList& args)
     writtenIndex_(-1)
 {
     dictionaryLines::share(controlDict());
+    controlKeywords::check(controlDict());
     readControls();
     skipIncomplete();
     takeExactValue();
