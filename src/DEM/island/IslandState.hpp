@@ -55,6 +55,7 @@ inline Vec3 vec(const double* p) { return {p[0], p[1], p[2]}; }
 inline double inertia(const Particle& p) { return 0.4*p.mass*p.radius*p.radius; }
 
 inline Vec3 gasForceAtRest(const GasLoad& g) { return g.Sp*g.Uc + g.Su; }
+inline Vec3 gasTorqueAtRest(const GasLoad& g) { return g.SpOmega*g.omegaC; }
 
 //- The acceleration of a particle as last evaluated [m/s2]
 Vec3 acceleration(const IslandState& state, int i);

@@ -4,6 +4,8 @@
 #include "neighbourSearch/DisjointSets.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 
 namespace dem
 {
@@ -57,7 +59,8 @@ std::vector<int> Rest::overloaded
         (
             overloads
             (
-                vec(l.f) + gasForceAtRest(state.gas[k]), vec(l.t), state.rest[k].pullOff,
+                vec(l.f) + gasForceAtRest(state.gas[k]),
+                vec(l.t) + gasTorqueAtRest(state.gas[k]), state.rest[k].pullOff,
                 state.bodies[k].r, env_.time.restTolerance
             )
         ) result.push_back(i);
@@ -155,13 +158,33 @@ void Rest::judgeFlying(IslandState& state, double elapsed) const
 }
 
 
+//- What rolls on at a contact that yields gathers speed slowly, or keeps it: not quiet
+void Rest::unsettleRolling(IslandState& state) const
+{
+    const auto quiet = [&](int i) { return i >= 0 && state.rest[std::size_t(i)].quietTime > 0; };
+    state.contacts.each([&](std::size_t law, const ContactList& list, std::size_t k)
+    {
+        const Partners p = partners(list, k);
+        if (!quiet(p.i) && !quiet(p.j)) return;
+        const SpringEnergy spring = env_.law(law).energy
+        (
+            list, k, state.bodies.data(), state.phase.ahead, env_.periodic
+        ).springs[1];
+        if (!spring.yields || !(spring.input > 0)) return;
+        for (const int i : {p.i, p.j})
+        {
+            if (quiet(i)) state.rest[std::size_t(i)].quietTime = 0;
+        }
+    });
+}
+
+
 bool Rest::judge(IslandState& state, double elapsed)
 {
     if (env_.time.restTolerance <= 0) return false;
     findWeakest(state);
     flying_.find(state);
     judgeFlying(state, elapsed);
-    bool due = false;
     for (const int i : state.awake)
     {
         const std::size_t k = std::size_t(i);
@@ -169,16 +192,23 @@ bool Rest::judge(IslandState& state, double elapsed)
         const Body& b = state.bodies[k];
         const Load& l = state.loads[k];
         const GasLoad& g = state.gas[k];
-        const Vec3 v = vec(b.v);
+        const Vec3 v = vec(b.v), w = vec(b.w);
         const Unrest u
         {
-            kineticEnergy(state, k, v, vec(b.w)),
-            (vec(l.f) + g.Sp*(g.Uc - v) + g.Su).norm(), vec(l.t).norm()
+            kineticEnergy(state, k, v, w),
+            (vec(l.f) + g.Sp*(g.Uc - v) + g.Su).norm(),
+            (vec(l.t) + g.SpOmega*(g.omegaC - w)).norm()
         };
         judge(state, k, u, elapsed);
-        due = due || (window_ > 0 && state.rest[k].quietTime >= window_);
     }
-    return due;
+    unsettleRolling(state);
+    return
+        window_ > 0
+     && std::any_of
+        (
+            state.awake.begin(), state.awake.end(),
+            [&](int i) { return isQuiet(state, std::size_t(i)); }
+        );
 }
 
 
@@ -191,40 +221,100 @@ bool Rest::isQuiet(const IslandState& state, std::size_t k) const
 }
 
 
+//- From particle i along the normal to the end of its radius: where contact k of a list is [m]
+Vec3 Rest::armTo(const IslandState& state, const ContactList& list, std::size_t k, int i) const
+{
+    const Body& b = state.bodies[std::size_t(i)];
+    if (list.isWall()) return b.r*Vec3(list.nx[k], list.ny[k], list.nz[k]);
+    const Body& partner = state.bodies[std::size_t(list.i[k] == i ? list.j[k] : list.i[k])];
+    return b.r*env_.periodic.nearest(vec(partner.x) - vec(b.x)).normalized();
+}
+
+
+//- Whether the gas load of a cluster has more moment about what holds it than that can bear: about
+//  one contact, or the line through two. More hold at any load.
+bool Rest::rollsOff(const IslandState& state, const QuietCluster& cluster) const
+{
+    if (cluster.holds.size() > 2) return false;
+    const int base = cluster.holds[0].particle;
+    const auto place = [&](int i)
+    {
+        return env_.periodic.nearest
+        (
+            vec(state.bodies[std::size_t(i)].x) - vec(state.bodies[std::size_t(base)].x)
+        );
+    };
+    Vec3 at[2];
+    double bears = 0;
+    for (std::size_t h = 0; h < cluster.holds.size(); ++h)
+    {
+        const Hold& hold = cluster.holds[h];
+        const ContactEntry& e = state.contacts.entry(*hold.list, hold.k);
+        at[h] = place(hold.particle) + armTo(state, *hold.list, hold.k, hold.particle);
+        bears += rollingStrength
+        (
+            e.yield.moment, e.pullOff, state.bodies[std::size_t(hold.particle)].r
+        );
+    }
+    Vec3 moment = Vec3::Zero();
+    for (const int i : cluster.members)
+    {
+        const GasLoad& g = state.gas[std::size_t(i)];
+        moment += gasTorqueAtRest(g) + (place(i) - at[0]).cross(gasForceAtRest(g));
+    }
+    const Hold& first = cluster.holds[0];
+    const bool line = cluster.holds.size() == 2 && at[0] != at[1];
+    const Vec3 axis =
+        line ? at[1] - at[0] : armTo(state, *first.list, first.k, first.particle);
+    const double along = moment.dot(axis.normalized());
+    return (line ? std::fabs(along) : (moment - along*axis.normalized()).norm()) > 1.1*bears;
+}
+
+
 //- By particle: it is quiet and holds on to a wall or to one at rest, by quiet ones if need be
-std::vector<char> Rest::heldAndQuiet(const IslandState& state) const
+std::vector<char> Rest::heldAndQuiet(IslandState& state) const
 {
     const std::size_t n = state.particles.size();
     const auto quiet = [&](int i) { return isQuiet(state, std::size_t(i)); };
     const auto resting = [&](int i) { return state.rest[std::size_t(i)].resting; };
-    DisjointSets clusters(n);
+    DisjointSets sets(n);
     for (const ContactStore::Lists& l : state.contacts.lists)
     {
         for (std::size_t k = 0; k < l.pairs.size(); ++k)
         {
             const int i = l.pairs.i[k], j = l.pairs.j[k];
-            if (quiet(i) && quiet(j)) clusters.join(std::size_t(i), std::size_t(j));
+            if (quiet(i) && quiet(j)) sets.join(std::size_t(i), std::size_t(j));
         }
     }
-    std::vector<char> held(n, 0);   // by root
-    const auto hold = [&](int i)
+    std::map<std::size_t, QuietCluster> clusters;   // by root
+    for (const int i : state.awake)
     {
-        if (quiet(i)) held[clusters.find(std::size_t(i))] = 1;
+        if (quiet(i)) clusters[sets.find(std::size_t(i))].members.push_back(i);
+    }
+    const auto hold = [&](int i, const ContactList& list, std::size_t k)
+    {
+        if (quiet(i)) clusters[sets.find(std::size_t(i))].holds.push_back({i, &list, k});
     };
     for (const ContactStore::Lists& l : state.contacts.lists)
     {
-        for (std::size_t k = 0; k < l.walls.size(); ++k) hold(l.walls.i[k]);
+        for (std::size_t k = 0; k < l.walls.size(); ++k) hold(l.walls.i[k], l.walls, k);
         for (std::size_t k = 0; k < l.pairs.size(); ++k)
         {
             const int i = l.pairs.i[k], j = l.pairs.j[k];
-            if (resting(i)) hold(j);
-            if (resting(j)) hold(i);
+            if (resting(i)) hold(j, l.pairs, k);
+            if (resting(j)) hold(i, l.pairs, k);
         }
     }
     std::vector<char> result(n, 0);
-    for (const int i : state.awake)
+    for (const auto& [root, cluster] : clusters)
     {
-        result[std::size_t(i)] = quiet(i) && held[clusters.find(std::size_t(i))];
+        if (cluster.holds.empty()) continue;
+        const bool rolls = rollsOff(state, cluster);
+        for (const int i : cluster.members)
+        {
+            result[std::size_t(i)] = !rolls;
+            if (rolls) state.rest[std::size_t(i)].quietTime = 0;
+        }
     }
     return result;
 }

@@ -56,8 +56,24 @@ private:
     void findWeakest(const IslandState& state);
     void judge(IslandState& state, std::size_t k, const Unrest& u, double elapsed) const;
     void judgeFlying(IslandState& state, double elapsed) const;
+    void unsettleRolling(IslandState& state) const;
     bool isQuiet(const IslandState& state, std::size_t k) const;
-    std::vector<char> heldAndQuiet(const IslandState& state) const;
+    //- A contact of a particle with a wall or with one at rest
+    struct Hold
+    {
+        int particle;
+        const ContactList* list;
+        std::size_t k;
+    };
+    struct QuietCluster
+    {
+        std::vector<int> members;
+        std::vector<Hold> holds;
+    };
+
+    Vec3 armTo(const IslandState& state, const ContactList& list, std::size_t k, int i) const;
+    bool rollsOff(const IslandState& state, const QuietCluster& cluster) const;
+    std::vector<char> heldAndQuiet(IslandState& state) const;
     void rested
     (
         double energy, const EnergyAccount& account, StepReport& report

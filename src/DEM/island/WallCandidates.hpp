@@ -22,7 +22,7 @@ class WallCandidates
 {
 public:
 
-    explicit WallCandidates(const Environment& environment) : env_(environment) {}
+    explicit WallCandidates(const Environment& environment) : env_(environment) { clear(); }
 
     // Loading
 

@@ -8,9 +8,12 @@
 //     kinetic energy < 0.1 F_C delta_C,  |force| < 0.1 F_C,
 //     |torque| < max(0.02 F_C r, M_y)     (M_y: rolling yields)
 // and when it holds on to a wall, directly or by particles at rest. (One that rocks, with less
-// energy than would let it roll, has no damping: it counts as quiet after 30 windows.) It wakes
-// when |force| > F_C/2 or |torque| > F_C r/2, what its resting neighbours give to it included;
-// when a contact of it ends; or when the gas force on it has changed by 0.1 min(F_C, M_y/r).
+// energy than would let it roll, has no damping: it counts as quiet after 30 windows.) What rolls
+// on at a contact that yields is not quiet, however slow and even its motion; nor is a cluster on
+// one or two contacts whose gas load has more moment about them than 1.1 M, M = max(M_y, 0.01 F_C r)
+// of each. It wakes when |force| > F_C/2 or |torque| > F_C r/2, what its resting neighbours give
+// to it included; when a contact of it ends; or when the gas force on it has changed by
+// 0.1 min(F_C, M/r).
 // A cluster that flies is judged by its motion beyond that of a rigid body of the same momentum
 // and angular momentum; at the end of the particle step it may become a RigidAggregate.
 #pragma once
@@ -40,6 +43,12 @@ inline bool wakes(const RestState& rest, const GasLoad& gas)
     return (now - then).squaredNorm() > rest.wakeForce*rest.wakeForce;
 }
 
+//- Moment at which a contact begins to roll [N m], as far as rest tells: not less than 0.01 F_C r
+inline double rollingStrength(double yield, double pullOff, double radius)
+{
+    return std::max(yield, 0.01*pullOff*radius);
+}
+
 //- Weakest contact of a particle
 struct WeakestContact
 {
@@ -58,8 +67,8 @@ struct WeakestContact
     //- Change of the load from outside that wakes a particle of this radius [m], in [N]
     double wakeForce(double tolerance, double radius) const
     {
-        const double rolls = yield.moment/radius;
-        return tolerance*wakeForceChange*(rolls > 0 ? std::min(pullOff, rolls) : pullOff);
+        const double rolls = rollingStrength(yield.moment, pullOff, radius)/radius;
+        return tolerance*wakeForceChange*std::min(pullOff, rolls);
     }
 };
 

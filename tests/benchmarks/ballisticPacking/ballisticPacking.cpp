@@ -140,6 +140,18 @@ public:
             return Parts::evaluateWalls(list, begin, end, bodies, loads, step, sign);
         });
     }
+
+    //- Asks the law as well; nothing to record
+    dem::ContactEnergy energy
+    (
+        const dem::ContactList& list, std::size_t k, const dem::Body* bodies, double ahead,
+        const dem::Periodic& periodic
+    ) const override
+    {
+        double none;
+        excess = &none;
+        return Parts::energy(list, k, bodies, ahead, periodic);
+    }
 };
 
 }

@@ -385,7 +385,7 @@ TEST(restCriteria, quietIsWhatMovesAndPullsLittle)
     EXPECT_FALSE(dem::overloads(Vec3(4.9e-7, 0, 0), Vec3(0, 4.9e-13, 0), 1e-6, r, 1));
     EXPECT_TRUE(dem::overloads(Vec3(5.1e-7, 0, 0), Vec3::Zero(), 1e-6, r, 1));
     EXPECT_TRUE(dem::overloads(Vec3::Zero(), Vec3(0, 5.1e-13, 0), 1e-6, r, 1));
-    EXPECT_TRUE(close(weakest.wakeForce(1, r), 1e-7, 1e-12));
+    EXPECT_TRUE(close(weakest.wakeForce(1, r), 1e-9, 1e-12));      // no rolling spring
     weakest.yield.moment = 1e-13;
     EXPECT_TRUE(close(weakest.wakeForce(2, r), 2e-8, 1e-12));
 }
