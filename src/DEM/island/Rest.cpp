@@ -4,7 +4,6 @@
 #include "neighbourSearch/DisjointSets.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 namespace dem
@@ -221,53 +220,42 @@ bool Rest::isQuiet(const IslandState& state, std::size_t k) const
 }
 
 
-//- From particle i along the normal to the end of its radius: where contact k of a list is [m]
-Vec3 Rest::armTo(const IslandState& state, const ContactList& list, std::size_t k, int i) const
+//- From particle i into its partner in contact k of a list
+Vec3 Rest::normalAt(const IslandState& state, const ContactList& list, std::size_t k, int i) const
 {
-    const Body& b = state.bodies[std::size_t(i)];
-    if (list.isWall()) return b.r*Vec3(list.nx[k], list.ny[k], list.nz[k]);
+    if (list.isWall()) return Vec3(list.nx[k], list.ny[k], list.nz[k]);
     const Body& partner = state.bodies[std::size_t(list.i[k] == i ? list.j[k] : list.i[k])];
-    return b.r*env_.periodic.nearest(vec(partner.x) - vec(b.x)).normalized();
+    return env_.periodic.nearest
+    (
+        vec(partner.x) - vec(state.bodies[std::size_t(i)].x)
+    ).normalized();
 }
 
 
-//- Whether the gas load of a cluster has more moment about what holds it than that can bear: about
-//  one contact, or the line through two. More hold at any load.
+//- Whether the gas load of a cluster makes it roll off what holds it
 bool Rest::rollsOff(const IslandState& state, const QuietCluster& cluster) const
 {
-    if (cluster.holds.size() > 2) return false;
-    const int base = cluster.holds[0].particle;
+    const Vec3 origin = vec(state.bodies[std::size_t(cluster.members[0])].x);
     const auto place = [&](int i)
     {
-        return env_.periodic.nearest
-        (
-            vec(state.bodies[std::size_t(i)].x) - vec(state.bodies[std::size_t(base)].x)
-        );
+        return env_.periodic.nearest(vec(state.bodies[std::size_t(i)].x) - origin);
     };
-    Vec3 at[2];
-    double bears = 0;
-    for (std::size_t h = 0; h < cluster.holds.size(); ++h)
+    std::vector<Hold> holds;
+    for (const Holding& h : cluster.holdings)
     {
-        const Hold& hold = cluster.holds[h];
-        const ContactEntry& e = state.contacts.entry(*hold.list, hold.k);
-        at[h] = place(hold.particle) + armTo(state, *hold.list, hold.k, hold.particle);
-        bears += rollingStrength
-        (
-            e.yield.moment, e.pullOff, state.bodies[std::size_t(hold.particle)].r
-        );
+        const ContactEntry& e = state.contacts.entry(*h.list, h.k);
+        const double r = state.bodies[std::size_t(h.particle)].r;
+        const Vec3 n = normalAt(state, *h.list, h.k, h.particle);
+        holds.push_back({place(h.particle) + r*n, n, rollingStrength(e.yield.moment, e.pullOff, r)});
     }
-    Vec3 moment = Vec3::Zero();
+    Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
     for (const int i : cluster.members)
     {
-        const GasLoad& g = state.gas[std::size_t(i)];
-        moment += gasTorqueAtRest(g) + (place(i) - at[0]).cross(gasForceAtRest(g));
+        const Vec3 f = gasForceAtRest(state.gas[std::size_t(i)]);
+        force += f;
+        moment += gasTorqueAtRest(state.gas[std::size_t(i)]) + place(i).cross(f);
     }
-    const Hold& first = cluster.holds[0];
-    const bool line = cluster.holds.size() == 2 && at[0] != at[1];
-    const Vec3 axis =
-        line ? at[1] - at[0] : armTo(state, *first.list, first.k, first.particle);
-    const double along = moment.dot(axis.normalized());
-    return (line ? std::fabs(along) : (moment - along*axis.normalized()).norm()) > 1.1*bears;
+    return dem::rollsOff(holds, force, moment);
 }
 
 
@@ -293,7 +281,7 @@ std::vector<char> Rest::heldAndQuiet(IslandState& state) const
     }
     const auto hold = [&](int i, const ContactList& list, std::size_t k)
     {
-        if (quiet(i)) clusters[sets.find(std::size_t(i))].holds.push_back({i, &list, k});
+        if (quiet(i)) clusters[sets.find(std::size_t(i))].holdings.push_back({i, &list, k});
     };
     for (const ContactStore::Lists& l : state.contacts.lists)
     {
@@ -308,7 +296,7 @@ std::vector<char> Rest::heldAndQuiet(IslandState& state) const
     std::vector<char> result(n, 0);
     for (const auto& [root, cluster] : clusters)
     {
-        if (cluster.holds.empty()) continue;
+        if (cluster.holdings.empty()) continue;
         const bool rolls = rollsOff(state, cluster);
         for (const int i : cluster.members)
         {

@@ -8,7 +8,7 @@
 #include "island/Environment.hpp"
 #include "island/FlyingClusters.hpp"
 #include "island/IslandState.hpp"
-#include "island/restCriteria.hpp"
+#include "contacts/restCriteria.hpp"
 #include "system/StepReport.hpp"
 
 #include <vector>
@@ -59,7 +59,7 @@ private:
     void unsettleRolling(IslandState& state) const;
     bool isQuiet(const IslandState& state, std::size_t k) const;
     //- A contact of a particle with a wall or with one at rest
-    struct Hold
+    struct Holding
     {
         int particle;
         const ContactList* list;
@@ -68,10 +68,10 @@ private:
     struct QuietCluster
     {
         std::vector<int> members;
-        std::vector<Hold> holds;
+        std::vector<Holding> holdings;
     };
 
-    Vec3 armTo(const IslandState& state, const ContactList& list, std::size_t k, int i) const;
+    Vec3 normalAt(const IslandState& state, const ContactList& list, std::size_t k, int i) const;
     bool rollsOff(const IslandState& state, const QuietCluster& cluster) const;
     std::vector<char> heldAndQuiet(IslandState& state) const;
     void rested

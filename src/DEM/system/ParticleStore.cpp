@@ -4,7 +4,7 @@
 #include "contacts/PackedState.hpp"
 #include "foundation/Fields.hpp"
 #include "particles/errors.hpp"
-#include "island/restCriteria.hpp"
+#include "contacts/restCriteria.hpp"
 #include "particles/finite.hpp"
 
 #include <string>

@@ -391,6 +391,26 @@ TEST(restCriteria, quietIsWhatMovesAndPullsLittle)
 }
 
 
+TEST(restCriteria, whatItsHoldsCannotBearRollsOff)
+{
+    const dem::Vec3 down(0, 0, -1), x(1, 0, 0), none = dem::Vec3::Zero();
+    // a sphere of radius 2 on the ground: F r + T against the strength, a tenth of grace
+    const dem::Hold ground{2*down, down, 10};
+    EXPECT_FALSE(dem::rollsOff({}, 100*x, none));
+    EXPECT_FALSE(dem::rollsOff({ground}, 5.4*x, none));
+    EXPECT_TRUE(dem::rollsOff({ground}, 5.6*x, none));
+    EXPECT_TRUE(dem::rollsOff({ground}, 3*x, Vec3(0, 5.2, 0)));
+    EXPECT_FALSE(dem::rollsOff({ground}, 3*x, Vec3(0, -5.2, 0)));
+    EXPECT_FALSE(dem::rollsOff({ground}, 100*down, Vec3(0, 0, 100)));   // presses, twists
+    // the second contact is beside or behind the first: it rolls over the line through both
+    const dem::Hold beside{Vec3(0, 1, -2), down, 10}, behind{Vec3(-1, 0, -2), down, 10};
+    EXPECT_FALSE(dem::rollsOff({ground, beside}, 10.9*x, none));
+    EXPECT_TRUE(dem::rollsOff({ground, beside}, 11.1*x, none));
+    EXPECT_FALSE(dem::rollsOff({ground, behind}, 1000*x, none));
+    EXPECT_FALSE(dem::rollsOff({ground, beside, behind}, 1000*x, none));
+}
+
+
 TEST(flyingClusters, theyHoldOnToNothing)
 {
     const Law law;

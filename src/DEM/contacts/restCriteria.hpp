@@ -25,6 +25,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 namespace dem
 {
@@ -47,6 +48,29 @@ inline bool wakes(const RestState& rest, const GasLoad& gas)
 inline double rollingStrength(double yield, double pullOff, double radius)
 {
     return std::max(yield, 0.01*pullOff*radius);
+}
+
+//- A contact that holds a cluster
+struct Hold
+{
+    Vec3 at;            // [m], from the origin of the moment below
+    Vec3 normal;
+    double bears;       // rollingStrength [N m]
+};
+
+//- Whether a load from outside, its moment about the origin [N m], has more moment about one
+//  contact, across its normal, or about the line through two, than these can bear. More hold at
+//  any load.
+inline bool rollsOff(const std::vector<Hold>& holds, const Vec3& force, const Vec3& moment)
+{
+    if (holds.empty() || holds.size() > 2) return false;
+    const Vec3 about = moment - holds[0].at.cross(force);
+    const bool line = holds.size() == 2 && holds[0].at != holds[1].at;
+    const Vec3 axis = line ? (holds[1].at - holds[0].at).normalized() : holds[0].normal;
+    const double along = about.dot(axis);
+    return
+        (line ? std::fabs(along) : (about - along*axis).norm())
+      > (1 + wakeForceChange)*(line ? holds[0].bears + holds[1].bears : holds[0].bears);
 }
 
 //- Weakest contact of a particle
