@@ -24,10 +24,9 @@ License
 #include "dustSnapshot.H"
 #include "contactWriter.H"
 #include "loadFiles.H"
+#include "nearestWallFaces.H"
 #include "parcelChecksums.H"
 
-#include "indexedOctree.H"
-#include "treeDataFace.H"
 #include "wallPolyPatch.H"
 #include "OStringStream.H"
 #include "InjectionModelList.H"
@@ -220,27 +219,29 @@ void Foam::dustCloud::writeDeposit() const
     );
 
     // Deposited mass per area: each particle to the wall face that is nearest
-    // to where it touches. Every rank looks for all.
-
-    const label width = 5;
-    scalarList deposits;
-    if (Pstream::master())
+    // to where it touches
+    label n = 0;
+    for (const auto& p : state.particles)   // on the master
     {
-        DynamicList<scalar> list;
-        for (const auto& p : state.particles)
-        {
-            if (p.patch >= 0)
-            {
-                list.append(p.patch);
-                list.append(p.mass);
-                list.append(p.at.x());
-                list.append(p.at.y());
-                list.append(p.at.z());
-            }
-        }
-        deposits.transfer(list);
+        n += p.patch >= 0;
     }
-    Pstream::scatter(deposits);
+    labelList patches(n);
+    pointField places(n);
+    scalarList masses(n);
+    n = 0;
+    for (const auto& p : state.particles)
+    {
+        if (p.patch >= 0)
+        {
+            patches[n] = p.patch;
+            places[n] = p.at;
+            masses[n] = p.mass;
+            ++n;
+        }
+    }
+    Pstream::scatter(patches);
+    Pstream::scatter(places);
+    Pstream::scatter(masses);
 
     volScalarField field
     (
@@ -257,82 +258,15 @@ void Foam::dustCloud::writeDeposit() const
         dimensionedScalar(dimMass/dimArea, Zero)
     );
 
-    const label n = deposits.size()/width;
-    labelList nearest(n, -1);
-    scalarList distance(n, GREAT);
-
-    for (const label patchi : dem_->wallPatches)
+    const nearestWallFaces nearest(mesh_, patches, places);
+    forAll(masses, i)
     {
-        const polyPatch& pp = mesh_.boundaryMesh()[patchi];
-        if (pp.empty())
+        if (nearest.face[i] >= 0)
         {
-            continue;
-        }
-
-        std::unique_ptr<indexedOctree<treeDataFace>> tree;
-
-        for (label i = 0; i < n; ++i)
-        {
-            const scalar* v = &deposits[i*width];
-            if (label(v[0]) != patchi)
-            {
-                continue;
-            }
-            if (!tree)
-            {
-                treeBoundBox box(pp.points(), pp.meshPoints());
-                box = treeBoundBox(pp.localPoints());
-                Random random(0);
-                tree.reset
-                (
-                    new indexedOctree<treeDataFace>
-                    (
-                        treeDataFace(false, pp),
-                        box.extend(random, 1e-3),
-                        8,
-                        10,
-                        3
-                    )
-                );
-            }
-            const pointIndexHit hit
-            (
-                tree->findNearest(point(v[2], v[3], v[4]), sqr(GREAT))
-            );
-            if (hit.hit())
-            {
-                nearest[i] = hit.index();
-                distance[i] =
-                    magSqr(hit.hitPoint() - point(v[2], v[3], v[4]));
-            }
-        }
-    }
-
-    scalarList smallest(distance);
-    Pstream::listCombineGather(smallest, minEqOp<scalar>());
-    Pstream::listCombineScatter(smallest);
-
-    // Of ranks that are equally near, the lowest
-    labelList rank(n, Pstream::nProcs());
-    forAll(rank, i)
-    {
-        if (nearest[i] >= 0 && distance[i] == smallest[i])
-        {
-            rank[i] = Pstream::myProcNo();
-        }
-    }
-    Pstream::listCombineGather(rank, minEqOp<label>());
-    Pstream::listCombineScatter(rank);
-
-    for (label i = 0; i < n; ++i)
-    {
-        if (rank[i] == Pstream::myProcNo())
-        {
-            const label patchi = label(deposits[i*width]);
-            const label facei = nearest[i];
+            const label patchi = patches[i];
+            const label facei = nearest.face[i];
             field.boundaryFieldRef()[patchi][facei] +=
-                deposits[i*width + 1]
-               /mesh_.magSf().boundaryField()[patchi][facei];
+                masses[i]/mesh_.magSf().boundaryField()[patchi][facei];
         }
     }
 

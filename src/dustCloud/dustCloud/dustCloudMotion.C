@@ -20,9 +20,11 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "dustCloudData.H"
+#include "openEnds.H"
 #include "parcelTracking.H"
 #include "startCells.H"
 
+#include "globalIndex.H"
 #include "PstreamBuffers.H"
 #include "InjectionModelList.H"
 #include "DispersionModel.H"
@@ -227,6 +229,7 @@ void Foam::dustCloud::settleBlocked()
     }
 
     DynamicList<dustParcel*> found;
+    DynamicList<dustParcel*> outside;
     labelList owners;
     labelList cells;
     const labelList& myOwners = owner[Pstream::myProcNo()];
@@ -235,9 +238,7 @@ void Foam::dustCloud::settleBlocked()
     {
         if (myOwners[i] < 0)
         {
-            // x is outside the mesh: behind a facet of a curved wall. The cell
-            // stays the last one; the next step looks again.
-            ++dem_->offMesh;
+            outside.append(blocked_[i]);
         }
         else
         {
@@ -248,6 +249,47 @@ void Foam::dustCloud::settleBlocked()
     }
     blocked_.clear();
     handOver(found, owners, cells);
+    settleOutside(outside);
+}
+
+
+void Foam::dustCloud::settleOutside(const UList<dustParcel*>& outside)
+{
+    const globalIndex numbers(outside.size());
+    if (!numbers.size())
+    {
+        return;
+    }
+    // The same list on all ranks, each with its own part of it
+    pointField places(numbers.size(), point::max);
+    scalarList range(numbers.size(), GREAT);
+    forAll(outside, i)
+    {
+        const dustParcel& p = *outside[i];
+        places[numbers.toGlobal(i)] = p.x();
+        range[numbers.toGlobal(i)] = 2*mag(way(p.position(), p.x())) + p.d();
+    }
+    Pstream::listCombineGather(places, minEqOp<vector>());
+    Pstream::listCombineScatter(places);
+    Pstream::listCombineGather(range, minEqOp<scalar>());
+    Pstream::listCombineScatter(range);
+
+    const labelList patches(openEnds(mesh_).patches(places, range));
+    forAll(outside, i)
+    {
+        dustParcel& p = *outside[i];
+        const label patchi = patches[numbers.toGlobal(i)];
+        if (patchi < 0)
+        {
+            // Behind a facet of a curved wall. The cell stays the last one; the
+            // next step looks again.
+            ++dem_->offMesh;
+            continue;
+        }
+        noteEscape(p, patchi);
+        giveLast(p);
+        deleteParticle(p);
+    }
 }
 
 
