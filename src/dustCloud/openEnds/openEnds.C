@@ -32,34 +32,48 @@ Description
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::scalar Foam::openEnds::distance
+void Foam::openEnds::nearest
 (
-    const point& x,
-    const scalar range,
     const polyPatch& pp,
-    const bool beyond
+    const UList<point>& points,
+    const UList<scalar>& range,
+    const bool beyond,
+    UList<scalar>& distance,
+    UList<label>& patch
 ) const
 {
-    scalar nearest = GREAT;
-    boundBox box(pp.localPoints(), false);
-    box.min() -= range*vector::one;
-    box.max() += range*vector::one;
-    if (pp.empty() || !box.contains(x))
+    if (pp.empty())
     {
-        return nearest;
+        return;
     }
-    forAll(pp, i)
+    const boundBox box(pp.localPoints(), false);
+    forAll(points, i)
     {
-        if (!beyond || ((x - pp.faceCentres()[i]) & pp.faceAreas()[i]) > 0)
+        const point& x = points[i];
+        const vector margin(range[i]*vector::one);
+        if (!boundBox(box.min() - margin, box.max() + margin).contains(x))
         {
-            nearest = min
+            continue;
+        }
+        forAll(pp, facei)
+        {
+            if
             (
-                nearest,
-                pp[i].nearestPoint(x, mesh_.points()).distance()
-            );
+                beyond
+             && ((x - pp.faceCentres()[facei]) & pp.faceAreas()[facei]) <= 0
+            )
+            {
+                continue;
+            }
+            const scalar d =
+                pp[facei].nearestPoint(x, mesh_.points()).distance();
+            if (d < distance[i])
+            {
+                distance[i] = d;
+                patch[i] = pp.index();
+            }
         }
     }
-    return nearest;
 }
 
 
@@ -73,44 +87,40 @@ Foam::labelList Foam::openEnds::patches
 {
     const label n = points.size();
     scalarList open(n, GREAT);
-    scalarList wall(n, GREAT);
     labelList best(n, -1);
-
     for (const polyPatch& pp : mesh_.boundaryMesh())
     {
-        if (pp.coupled())
+        if (!pp.coupled() && !isA<wallPolyPatch>(pp))
         {
-            continue;
-        }
-        const bool isWall = isA<wallPolyPatch>(pp);
-        forAll(points, i)
-        {
-            const scalar d = distance(points[i], range[i], pp, !isWall);
-            if (isWall)
-            {
-                wall[i] = min(wall[i], d);
-            }
-            else if (d < open[i])
-            {
-                open[i] = d;
-                best[i] = pp.index();
-            }
+            nearest(pp, points, range, true, open, best);
         }
     }
+    const scalarList mine(open);
+    Pstream::listCombineGather(open, minEqOp<scalar>());
+    Pstream::listCombineScatter(open);
 
-    scalarList openOfAll(open);
-    Pstream::listCombineGather(openOfAll, minEqOp<scalar>());
-    Pstream::listCombineScatter(openOfAll);
+    // Mostly there is none: a facet of a curved wall
+    if (!n || min(open) >= GREAT)
+    {
+        return labelList(n, -1);
+    }
+
+    scalarList wall(n, GREAT);
+    labelList unused(n, -1);
+    for (const polyPatch& pp : mesh_.boundaryMesh())
+    {
+        if (isA<wallPolyPatch>(pp))
+        {
+            nearest(pp, points, range, false, wall, unused);
+        }
+    }
     Pstream::listCombineGather(wall, minEqOp<scalar>());
     Pstream::listCombineScatter(wall);
+
     forAll(points, i)
     {
         // A corner that they share is as near on both, to the last digits
-        if
-        (
-            open[i] > openOfAll[i]
-         || openOfAll[i] > wall[i] + 1e-9*range[i]
-        )
+        if (mine[i] > open[i] || open[i] > wall[i] + 1e-9*range[i])
         {
             best[i] = -1;
         }
