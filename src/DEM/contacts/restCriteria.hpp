@@ -9,11 +9,11 @@
 //     |torque| < max(0.02 F_C r, M_y)     (M_y: rolling yields)
 // and when it holds on to a wall, directly or by particles at rest. (One that rocks, with less
 // energy than would let it roll, has no damping: it counts as quiet after 30 windows.) What rolls
-// on at a contact that yields is not quiet, however slow and even its motion; nor is a cluster on
-// one or two contacts whose gas load has more moment about them than 1.1 M, M = max(M_y, 0.01 F_C r)
-// of each. It wakes when |force| > F_C/2 or |torque| > F_C r/2, what its resting neighbours give
-// to it included; when a contact of it ends; or when the gas force on it has changed by
-// 0.1 min(F_C, M/r).
+// on at a contact that yields does not fall asleep, however slow and even its motion; nor does a
+// cluster on one or two contacts whose gas load has more moment about them than 1.1 M, with
+// M = max(M_y, 0.01 F_C r) of each. It wakes when |force| > F_C/2 or |torque| > F_C r/2, what its
+// resting neighbours give to it included; when a contact of it ends; or when the gas force on it
+// has changed by 0.1 min(F_C, M/r).
 // A cluster that flies is judged by its motion beyond that of a rigid body of the same momentum
 // and angular momentum; at the end of the particle step it may become a RigidAggregate.
 #pragma once
@@ -58,12 +58,15 @@ struct Hold
     double bears;       // rollingStrength [N m]
 };
 
+//- So many can let go together
+inline constexpr std::size_t mostHolds = 2;
+
 //- Whether a load from outside, its moment about the origin [N m], has more moment about one
 //  contact, across its normal, or about the line through two, than these can bear. More hold at
 //  any load.
 inline bool rollsOff(const std::vector<Hold>& holds, const Vec3& force, const Vec3& moment)
 {
-    if (holds.empty() || holds.size() > 2) return false;
+    if (holds.empty() || holds.size() > mostHolds) return false;
     const Vec3 about = moment - holds[0].at.cross(force);
     const bool line = holds.size() == 2 && holds[0].at != holds[1].at;
     const Vec3 axis = line ? (holds[1].at - holds[0].at).normalized() : holds[0].normal;

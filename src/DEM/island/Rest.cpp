@@ -157,14 +157,18 @@ void Rest::judgeFlying(IslandState& state, double elapsed) const
 }
 
 
-//- What rolls on at a contact that yields gathers speed slowly, or keeps it: not quiet
+//- What would fall asleep, but rolls on at a contact that yields, gathers speed slowly or keeps it:
+//  not quiet
 void Rest::unsettleRolling(IslandState& state) const
 {
-    const auto quiet = [&](int i) { return i >= 0 && state.rest[std::size_t(i)].quietTime > 0; };
+    const auto due = [&](int i)
+    {
+        return i >= 0 && window_ > 0 && state.rest[std::size_t(i)].quietTime >= window_;
+    };
     state.contacts.each([&](std::size_t law, const ContactList& list, std::size_t k)
     {
         const Partners p = partners(list, k);
-        if (!quiet(p.i) && !quiet(p.j)) return;
+        if (!due(p.i) && !due(p.j)) return;
         const SpringEnergy spring = env_.law(law).energy
         (
             list, k, state.bodies.data(), state.phase.ahead, env_.periodic
@@ -172,7 +176,7 @@ void Rest::unsettleRolling(IslandState& state) const
         if (!spring.yields || !(spring.input > 0)) return;
         for (const int i : {p.i, p.j})
         {
-            if (quiet(i)) state.rest[std::size_t(i)].quietTime = 0;
+            if (due(i)) state.rest[std::size_t(i)].quietTime = 0;
         }
     });
 }
@@ -235,6 +239,7 @@ Vec3 Rest::normalAt(const IslandState& state, const ContactList& list, std::size
 //- Whether the gas load of a cluster makes it roll off what holds it
 bool Rest::rollsOff(const IslandState& state, const QuietCluster& cluster) const
 {
+    if (cluster.holdings.size() > mostHolds) return false;
     const Vec3 origin = vec(state.bodies[std::size_t(cluster.members[0])].x);
     const auto place = [&](int i)
     {
@@ -246,7 +251,10 @@ bool Rest::rollsOff(const IslandState& state, const QuietCluster& cluster) const
         const ContactEntry& e = state.contacts.entry(*h.list, h.k);
         const double r = state.bodies[std::size_t(h.particle)].r;
         const Vec3 n = normalAt(state, *h.list, h.k, h.particle);
-        holds.push_back({place(h.particle) + r*n, n, rollingStrength(e.yield.moment, e.pullOff, r)});
+        holds.push_back
+        (
+            {place(h.particle) + r*n, n, rollingStrength(e.yield.moment, e.pullOff, r)}
+        );
     }
     Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
     for (const int i : cluster.members)

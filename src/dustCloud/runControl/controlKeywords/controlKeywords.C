@@ -17,10 +17,6 @@ License
     You should have received a copy of the GNU General Public License along
     with dustFoam.  If not, see <http://www.gnu.org/licenses/>.
 
-
-Description
-    An error that every rank finds is said once: the master says it and ends them
-    all, while the others wait a second. A rank that is alone speaks after that.
 \*---------------------------------------------------------------------------*/
 
 // First: includes DEM.hpp
