@@ -62,6 +62,9 @@ Usage
     dustFoam -keywords [WORD] the keywords of constant/dustProperties, with
     units, defaults and what is allowed.
 
+    -postProcess [-time RANGES] [-func NAME] runs function objects on what a run
+    has written; tables go to postProcessing/<function object>/postProcess.
+
     Restart: startFrom latestTime. Exact with writeFormat binary or
     writePrecision 17. What is incomplete after a kill is passed over; SIGTERM,
     SIGINT, SIGHUP, SIGUSR1 and maxWallTime (controlDict) end the run after its
@@ -104,6 +107,13 @@ int main(int argc, char *argv[])
     {
         return 0;
     }
+
+    // Each time is read as a restart from it would
+    #define CREATE_MESH createNamedMesh.H
+    #define NO_CONTROL
+    #define CREATE_FIELDS exactTime.H
+    #define CREATE_FIELDS_2 createFields.H
+    #include "postProcess.H"
 
     #include "setRootCaseLists.H"
 

@@ -70,7 +70,7 @@ void Foam::dustCloud::checkLedger() const
             << " cut short" << nl
             << "    Restore it, or start from another time; to count the"
             << " particles as injected now, without their contacts, delete x,"
-            << " omega, state and contacts in lagrangian/" << name()
+            << " angularVelocity, state and contacts in lagrangian/" << name()
             << ", too" << exit(FatalError);
     }
 

@@ -65,7 +65,7 @@ Foam::IOobject Foam::functionObjects::captureEfficiency::stateFile
 
 void Foam::functionObjects::captureEfficiency::readState()
 {
-    passed_.setSize(classes_.size() + 1, 0);
+    passed_ = labelList(classes_.size() + 1, 0);
 
     IOobject io(stateFile(IOobject::MUST_READ));
     if (io.typeHeaderOk<IOdictionary>(true))
@@ -116,6 +116,13 @@ Foam::functionObjects::captureEfficiency::captureEfficiency
         name,
         "captureEfficiency",
         "time_s,patch,dLow_m,dHigh_m,passed,captured,efficiency,low95,high95"
+    ),
+    penetration_
+    (
+        runTime,
+        name,
+        "penetration",
+        "time_s,dLow_m,dHigh_m,passed,captured,penetration,low95,high95"
     )
 {
     read(dict);
@@ -140,6 +147,10 @@ bool Foam::functionObjects::captureEfficiency::execute()
 {
     const dustCloud& cloud = mesh_.lookupObject<dustCloud>(cloudName_);
 
+    if (postProcess)
+    {
+        readState();
+    }
     for (const scalar d : cloud.escapedInStep())
     {
         ++passed_[classes_.of(d)];
@@ -171,6 +182,8 @@ bool Foam::functionObjects::captureEfficiency::write()
             << "classes of diameters" << endl;
     }
 
+    const scalar nan = std::numeric_limits<scalar>::quiet_NaN();
+    labelList capturedByAll(classes, 0);
     for (const polyPatch& pp : patches)
     {
         if (!isA<wallPolyPatch>(pp))
@@ -183,6 +196,7 @@ bool Foam::functionObjects::captureEfficiency::write()
             const label n = k + passed_[i];
             const wilsonInterval interval(k, n, 1.959964);
 
+            capturedByAll[i] += k;
             file_.row
             (
                 time_.value(),
@@ -191,14 +205,32 @@ bool Foam::functionObjects::captureEfficiency::write()
                 classes_.high(i),
                 passed_[i],
                 k,
-                n ? scalar(k)/n : std::numeric_limits<scalar>::quiet_NaN(),
+                n ? scalar(k)/n : nan,
                 interval.low,
                 interval.high
             );
         }
     }
 
-    if (time_.writeTime())
+    for (label i = 0; i < classes; ++i)
+    {
+        const label n = capturedByAll[i] + passed_[i];
+        const wilsonInterval interval(passed_[i], n, 1.959964);
+
+        penetration_.row
+        (
+            time_.value(),
+            classes_.low(i),
+            classes_.high(i),
+            passed_[i],
+            capturedByAll[i],
+            n ? scalar(passed_[i])/n : nan,
+            interval.low,
+            interval.high
+        );
+    }
+
+    if (time_.writeTime() && !postProcess)
     {
         IOdictionary state(stateFile(IOobject::NO_READ));
         state.add("diameters", classes_.limits());

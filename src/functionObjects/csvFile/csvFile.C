@@ -20,6 +20,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "csvFile.H"
+#include "functionObject.H"
 #include "OSspecific.H"
 #include "Pstream.H"
 
@@ -36,7 +37,8 @@ Foam::csvFile::csvFile
     path_
     (
         time.globalPath()/"postProcessing"/functionObject
-       /time.timeName()/(name + ".csv")
+       /(functionObject::postProcess ? "postProcess" : time.timeName())
+       /(name + ".csv")
     ),
     header_(header)
 {}

@@ -128,8 +128,15 @@ TEST(turbulenceSeen, gradients)
     gas.gradS = vector(0, -3, 0);
     const double unit = gas.nu/gas.uTau;
 
+    for (const bool sheared : {false, true})
     for (const double yPlus : {0.3, 3.0, 12.0, 60.0, 99.0, 110.0, 150.0, 190.0, 250.0})
     {
+        if (sheared)
+        {
+            gas.A = turbulenceSeen::sheared(vector(4, 0, 0), vector(0, 50, 0));
+            gas.g = 0.7;
+            gas.gradG = vector(0, 15, 0);
+        }
         const double h = 1e-4*yPlus*unit;
         const auto at = [&](double y) { return gas.at(point(0, y, 0)); };
         const double y = yPlus*unit;
@@ -145,6 +152,26 @@ TEST(turbulenceSeen, gradients)
         EXPECT_NEAR(mag(below.S - above.S)/mag(above.S), 0, 1e-6);
         EXPECT_NEAR(below.T/above.T, 1, 1e-6);
     }
+}
+
+// In a log layer the shares of k are those that the fits have at y+ = 100, and their sum is k
+TEST(turbulenceSeen, shear)
+{
+    turbulenceSeen gas;
+    gas.s = 2;
+    gas.g = 1;
+    gas.A = turbulenceSeen::sheared(vector(0, 0, -3), vector(7, 0, 0));
+    const tensor S = gas.at(Zero).S;
+    const turbulenceSeen::wallFits log(100);
+    EXPECT_NEAR(S.zz()/S.xx(), log.s1/log.s2, 1e-12);
+    EXPECT_NEAR(S.yy()/S.xx(), log.s3/log.s2, 1e-12);
+    EXPECT_NEAR(tr(S & S), 3*sqr(gas.s), 1e-12);
+    EXPECT_NEAR(S.xx()/gas.s, 0.77, 0.005);
+
+    // k is kept in between, too, to 1.5 %
+    gas.g = 0.5;
+    const tensor half = gas.at(Zero).S;
+    EXPECT_NEAR(tr(half & half)/(3*sqr(gas.s)), 1, 0.015);
 }
 
 namespace

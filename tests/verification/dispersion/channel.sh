@@ -37,9 +37,10 @@ geometric()
         d = H/sum; y = 0; for (i = 0; i <= n; i++) { printf "%.12g ", y; y += d; d *= q } }'
 }
 
-# channel NAME N G TURBULENCE DISPERSION STEP SAMPLE END: times in wall units. The steps are such that
-# nobody gets beyond the middle and to the other wall in one of them: what is seen is that of one wall
-channel()
+# makeChannel NAME N G TURBULENCE DISPERSION STEP SAMPLE END: the case; times in wall units. The steps are
+# such that nobody gets beyond the middle and to the other wall in one of them: what is seen is that of
+# one wall
+makeChannel()
 {
     local name=$1 n=$2 G=$3 model=$4 edges field y
     edges=$(geometric "$n" "$G")
@@ -84,13 +85,26 @@ END
     set_ "$name/system/controlDict" writeControl runTime
     set_ "$name/system/controlDict" writeInterval "$(awk "BEGIN { printf \"%.12g\", $7/$perTime }")"
     set_ "$name/system/controlDict" endTime "$(awk "BEGIN { printf \"%.12g\", $8/$perTime }")"
-    awk -v n=$lateral 'BEGIN {
+    places $lateral > "$name/constant/places"
+    program "log.$name.blockMesh" "$name" blockMesh
+}
+
+# places N [SHIFT [GAP]]: of N x N particles, evenly spread over the height but for gaps at the walls [m],
+# 2 m apart along x and z
+places()
+{
+    awk -v n="$1" -v shift="${2:-0}" -v gap="${3:-0}" 'BEGIN {
         print "FoamFile { version 2.0; format ascii; class vectorField; object places; }"
         print "("
-        for (i = 0; i < n*n; i++) printf "(%d %.9g %d)\n", 2*(i % n) - n, 0.04*(i + 0.5)/(n*n), 2*int(i/n) - n
-        print ")" }' > "$name/constant/places"
-    program "log.$name.blockMesh" "$name" blockMesh
-    program "log.$name" "$name" dustFoam
+        for (i = 0; i < n*n; i++) printf "(%.9g %.9g %d)\n", 2*(i % n) - n + shift, gap + (0.04 - 2*gap)*(i + 0.5)/(n*n), 2*int(i/n) - n
+        print ")" }'
+}
+
+# channel ...: make and run it
+channel()
+{
+    makeChannel "$@"
+    program "log.$1" "$1" dustFoam
 }
 
 # even NAME FROM: concentration over the mean one and its standard error (from the scatter of

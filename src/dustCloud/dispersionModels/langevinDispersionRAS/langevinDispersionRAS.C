@@ -32,6 +32,7 @@ License
 #include "turbulenceModel.H"
 #include "volPointInterpolation.H"
 #include "wallPolyPatch.H"
+#include "zeroGradientFvPatchFields.H"
 
 #include <algorithm>
 #include <tuple>
@@ -81,6 +82,22 @@ namespace Foam
             }
         }
         return reach;
+    }
+
+
+    //- Values at the points of the mesh
+    static scalarField atPoints(const volScalarField& field)
+    {
+        scalarField values
+        (
+            volPointInterpolation::New(field.mesh())
+           .interpolate(field)().primitiveField()
+        );
+        for (scalar& value : values)
+        {
+            value = rounded(value);
+        }
+        return values;
     }
 
 
@@ -211,6 +228,57 @@ void Foam::langevinDispersionRAS::findWalls()
 }
 
 
+void Foam::langevinDispersionRAS::setShear
+(
+    const volScalarField& k,
+    const volScalarField& epsilon
+)
+{
+    const fvMesh& mesh = this->owner().mesh();
+    const volVectorField& U = this->owner().U();
+    const volTensorField gradU(fvc::grad(U));
+
+    volScalarField g
+    (
+        IOobject
+        (
+            "shearAnisotropy",
+            mesh.time().timeName(),
+            mesh,
+            IOobject::NO_READ,
+            IOobject::NO_WRITE,
+            false
+        ),
+        mesh,
+        dimensionedScalar(dimless, Zero),
+        zeroGradientFvPatchScalarField::typeName
+    );
+    forAll(seen_, celli)
+    {
+        const scalar speed = mag(U[celli]);
+        if (speed < ROOTVSMALL)
+        {
+            continue;
+        }
+        const vector along = U[celli]/speed;
+        vector gradSpeed = gradU[celli] & along;
+        gradSpeed -= (gradSpeed & along)*along;
+        gradSpeed = rounded(gradSpeed, speed/cbrt(mesh.V()[celli]));
+
+        const scalar rate = mag(gradSpeed);
+        if (rate > ROOTVSMALL)
+        {
+            g[celli] =
+                min(scalar(1), 0.3*rate*k[celli]/max(epsilon[celli], VSMALL));
+            seen_[celli].A = turbulenceSeen::sheared(along, gradSpeed);
+        }
+        seen_[celli].g = g[celli];
+    }
+    g.correctBoundaryConditions();
+    gAtPoints_ = atPoints(g);
+}
+
+
 void Foam::langevinDispersionRAS::setCells(const volScalarField& k)
 {
     const fvMesh& mesh = this->owner().mesh();
@@ -231,12 +299,7 @@ void Foam::langevinDispersionRAS::setCells(const volScalarField& k)
         )().grad(s)
     );
 
-    sAtPoints_ =
-        volPointInterpolation::New(mesh).interpolate(s)().primitiveField();
-    for (scalar& atPoint : sAtPoints_)
-    {
-        atPoint = rounded(atPoint);
-    }
+    sAtPoints_ = atPoints(s);
 
     // Reynolds-stress models keep R
     tmp<volTensorField> tL;
@@ -249,7 +312,13 @@ void Foam::langevinDispersionRAS::setCells(const volScalarField& k)
         tDivL = fvc::div(mesh.Sf() & fvc::interpolate(L));
     }
 
-    seen_.setSize(mesh.nCells());
+    seen_ = List<turbulenceSeen>(mesh.nCells());
+    gAtPoints_.clear();
+    if (!tL.valid())
+    {
+        setShear(k, epsilon);
+    }
+
     forAll(seen_, celli)
     {
         turbulenceSeen& t = seen_[celli];
@@ -319,12 +388,22 @@ void Foam::langevinDispersionRAS::useOwnTetrahedron
     // Flat ones, of which there is little, keep the cell's
     if (mag(volume) > 1e-12*mag(a)*mag(b)*mag(c))
     {
-        t.gradS =
-        (
-            (sAtPoints_[tri[0]] - t.s)*(b ^ c)
-          + (sAtPoints_[tri[1]] - t.s)*(c ^ a)
-          + (sAtPoints_[tri[2]] - t.s)*(a ^ b)
-        )/volume;
+        const auto gradient =
+            [&](const scalarField& atPoints, const scalar atOrigin) -> vector
+            {
+                return
+                (
+                    (atPoints[tri[0]] - atOrigin)*(b ^ c)
+                  + (atPoints[tri[1]] - atOrigin)*(c ^ a)
+                  + (atPoints[tri[2]] - atOrigin)*(a ^ b)
+                )/volume;
+            };
+
+        t.gradS = gradient(sAtPoints_, t.s);
+        if (gAtPoints_.size())
+        {
+            t.gradG = gradient(gAtPoints_, t.g);
+        }
     }
 }
 

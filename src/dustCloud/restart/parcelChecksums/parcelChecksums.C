@@ -125,8 +125,8 @@ static word hexadecimal(const uint64_t value)
 static const wordList names
 ({
     "identity", "active", "typeId", "nParticle", "d", "dTarget", "U", "rho",
-    "age", "tTurb", "UTurb", "omega", "x", "state", "owedImpulse", "material",
-    "contacts", "gasLoad"
+    "age", "tTurb", "UTurb", "angularVelocity", "x", "state", "owedImpulse",
+    "material", "contacts", "gasLoad"
 });
 
 
@@ -241,13 +241,20 @@ Foam::wordList Foam::parcelChecksums::changed
     wordList result;
     for (const entry& e : now)
     {
+        // The name of before, see restartFiles::spin
+        const word name
+        (
+            e.keyword() == "angularVelocity" && then.found("omega")
+          ? "omega"
+          : e.keyword()
+        );
         if
         (
-            then.lookupOrDefault<word>(e.keyword(), word::null)
+            then.lookupOrDefault<word>(name, word::null)
          != now.get<word>(e.keyword())
         )
         {
-            result.append(e.keyword());
+            result.append(name);
         }
     }
     return result;

@@ -210,7 +210,7 @@ void Foam::restartCheck::motion(const label i, const dustParcel& p) const
     };
     vectorField("U", p.U(), fastest, " m/s");
     vectorField("UTurb", p.UTurb(), fastest, " m/s");
-    vectorField("omega", p.omega(), 2*fastestSurface/p.d(), " rad/s");
+    vectorField("angularVelocity", p.omega(), 2*fastestSurface/p.d(), " rad/s");
     vectorField("x", p.x(), 1e10, " m");
     vectorField("owedImpulse", p.owed(), 1, " N s");
 

@@ -24,6 +24,7 @@ License
 #include "dustParcel.H"
 
 #include "Cloud.H"
+#include "PstreamReduceOps.H"
 #include "token.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -132,9 +133,23 @@ Foam::wordList Foam::restartFiles::stock()
 }
 
 
-Foam::wordList Foam::restartFiles::ours()
+Foam::wordList Foam::restartFiles::ours(const word& spin)
 {
-    return {"omega", "x", "state", "owedImpulse", "material"};
+    return {spin, "x", "state", "owedImpulse", "material"};
+}
+
+
+Foam::word Foam::restartFiles::spin(const Cloud<dustParcel>& c)
+{
+    const auto found = [&c](const word& name)
+    {
+        const IOobject io(c.fieldIOobject(name, IOobject::READ_IF_PRESENT));
+        return returnReduce(count(io, c.size()) >= 0, orOp<bool>());
+    };
+
+    const word now("angularVelocity");
+    const word before("omega");
+    return !found(now) && found(before) ? before : now;
 }
 
 
