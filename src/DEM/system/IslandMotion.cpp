@@ -272,9 +272,11 @@ void IslandMotion::integrateInParts
         IslandMembers there;
         for (std::size_t k = 0; k < before.size(); ++k)
         {
+            // `delay` of what has been moved says where that ended
+            if (before[k].delay > start) continue;
             const Member& m = island.members[k];
-            if (m.delay > start) continue;
             there.members.push_back(m);
+            there.members.back().exchange = {};
             // of its width, what the parts before have left
             Corridor& c = there.members.back().corridor;
             const Vec3 begun = before[k].p.x - before[k].delay*before[k].p.v;
@@ -289,13 +291,14 @@ void IslandMotion::integrateInParts
         bool woke = false;
 
         auto m = island.members.begin();
+        auto was = before.begin();
         for (Member& moved : there.members)
         {
-            while (m->p.id != moved.p.id) ++m;
+            while (m->p.id != moved.p.id) ++m, ++was;
             moved.corridor = m->corridor;
             moved.outran = std::max(moved.outran, m->outran);
             const GasExchange &first = m->exchange, &last = moved.exchange;
-            if (m->delay < start)
+            if (was->delay < start)
             {
                 moved.exchange =
                 {

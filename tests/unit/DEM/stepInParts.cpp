@@ -132,3 +132,69 @@ TEST(stepInParts, aRestartBetweenTwoPartsChangesNoBit)
         EXPECT_EQ(apart(run(parts, true), run(parts)), 0) << n;
     }
 }
+
+
+// Two collisions that stand at two moments, in one island: each goes on from its own, and nobody waits
+TEST(stepInParts, twoCollisionsOfOneIslandGoOnFromMomentsOfTheirOwn)
+{
+    const double first = 2e-6, second = 0.7e-6, rest = 4e-6;
+    const scene::Law law = dust();
+    std::vector<dem::Particle> at
+    {
+        // about to collide at -first, and at -second
+        sphere(law, 1, r, Vec3(0, 0, 50*r), Vec3(1, 0, 0)),
+        sphere(law, 2, r, Vec3(2.0001*r, 0.2*r, 50*r), Vec3(-1, 0.2, 0)),
+        sphere(law, 3, r, Vec3(0, 6*r, 50*r), Vec3(1, -0.1, 0)),
+        sphere(law, 4, r, Vec3(2.0001*r, 6.3*r, 50*r), Vec3(-1.5, 0, 0))
+    };
+    const auto run = [&](const std::vector<dem::Particle>& particles, bool behind)
+    {
+        auto system = std::make_unique<dem::System>(law.table(), dem::TimeSettings{});
+        system->keepGasExchange(true);
+        for (std::size_t i = 0; i < particles.size(); ++i)
+        {
+            system->add(particles[i], !behind ? 0 : i < 2 ? -first : -second);
+        }
+        EXPECT_EQ(system->advance(behind ? rest : rest + first).touches, 2);
+        return system;
+    };
+
+    const auto parts = run(at, true);
+    std::vector<dem::Particle> earlier = at;
+    for (const std::size_t i : {2, 3}) earlier[i].x -= (first - second)*earlier[i].v;
+    const auto whole = run(earlier, false);
+    for (std::size_t i = 0; i < at.size(); ++i)
+    {
+        // to the error of contact steps, which fall elsewhere
+        EXPECT_LE((parts->particle(i).x - whole->particle(i).x).norm(), 1e-5*r) << i;
+        EXPECT_LE((parts->particle(i).v - whole->particle(i).v).norm(), 1e-5) << i;
+    }
+}
+
+
+// What the gas gives to one that stands behind is that of all parts
+TEST(stepInParts, theGasGivesInAllParts)
+{
+    const scene::Law law = dust();
+    dem::System system(law.table(), dem::TimeSettings{});
+    system.keepGasExchange(true);
+    const double delays[4] = {-2e-6, -2e-6, -0.7e-6, 1.3e-6};
+    for (int i = 0; i < 4; ++i)
+    {
+        const Vec3 x((i % 2)*2.0001*r, (i/2)*6*r, 50*r);
+        system.add(sphere(law, i, r, x, Vec3(i % 2 ? -1 : 1, 0, 0)), delays[i]);
+        dem::GasLoad load;
+        load.Sp = 2e-9;
+        load.Uc = Vec3(0, 3, 0);
+        system.setGasLoad(std::size_t(i), load);
+    }
+    system.advance(4e-6);
+    Vec3 given = Vec3::Zero(), momentum = Vec3::Zero();
+    for (std::size_t i = 0; i < system.size(); ++i)
+    {
+        given += system.gasExchange(i).impulse;
+        momentum += system.particle(i).mass*system.particle(i).v;
+    }
+    EXPECT_GT(momentum.y(), 1e-14);
+    EXPECT_LE((given - momentum).norm(), 1e-9*momentum.norm());
+}
