@@ -107,14 +107,7 @@ int main(int argc, char *argv[])
     {
         return 0;
     }
-
-    // Each time is read as a restart from it would
-    #define CREATE_MESH createNamedMesh.H
-    #define NO_CONTROL
-    #define CREATE_FIELDS exactTime.H
-    #define CREATE_FIELDS_2 createFields.H
-    #include "postProcess.H"
-
+    #include "postProcessing.H"
     #include "setRootCaseLists.H"
 
     Info<< "Create time" << nl << endl;
