@@ -20,7 +20,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 // First: includes DEM.hpp
-#include "dustSizes.H"
+#include "dustProperties.H"
 
 #include "caseCheck.H"
 #include "injectionRate.H"
@@ -29,7 +29,6 @@ License
 #include "distributionModel.H"
 #include "fvMesh.H"
 #include "GlobalIOField.H"
-#include "mathematicalConstants.H"
 #include "volFields.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -228,11 +227,8 @@ Foam::scalarList Foam::caseCheck::due
         const scalar rate = injected.largest();
         const scalar flow = inflow(e.dict(), U);
 
-        dustSizes sizes(dust);
-        sizes.addInjector(e.dict());
-        const scalar meanDiameter = sizes.kinds()[0].diameters[1];
         const scalar volume =
-            constant::mathematical::pi/6*pow3(meanDiameter)*rate;
+            injected.largestMass()/dust.density(dust.material(e.dict()));
 
         if (n > 0)
         {

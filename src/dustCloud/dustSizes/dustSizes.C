@@ -56,12 +56,25 @@ void Foam::dustSizes::addInjector(const dictionary& injector)
     (
         distributionModel::New(*dictPtr, random)
     );
+    const scalar low = sizes->minValue();
+    const scalar high = sizes->maxValue();
+
+    // Not meanValue(): to OpenFOAM that of the distribution without its bounds,
+    // or something else. Random numbers of its own, the same on all ranks
+    const label nSamples = 100000;
+    scalar sum = 0;
+    for (label i = 0; i < nSamples; ++i)
+    {
+        sum += sizes->sample();
+    }
+    // Of equal sizes that size, not what their sum makes of it
+    const scalar mean = min(max(sum/nSamples, low), high);
 
     const label n = k.injectors++;
     FixedList<scalar, 3>& d = k.diameters;
-    d[0] = n ? min(d[0], sizes->minValue()) : sizes->minValue();
-    d[1] = (n*d[1] + sizes->meanValue())/(n + 1);
-    d[2] = max(d[2], sizes->maxValue());
+    d[0] = n ? min(d[0], low) : low;
+    d[1] = (n*d[1] + mean)/(n + 1);
+    d[2] = max(d[2], high);
 }
 
 
