@@ -25,6 +25,7 @@ License
 #include "allowance.H"
 #include "dustKeywords.H"
 #include "modelTable.H"
+#include "sizeCheck.H"
 
 #include "argList.H"
 #include "IOstreams.H"
@@ -234,27 +235,6 @@ void Foam::dustKeywords::checkEntry
 }
 
 
-void Foam::dustKeywords::checkSizes(const dictionary& sizes)
-{
-    scalar low, high;
-    if
-    (
-        sizes.readIfPresent("minValue", low)
-     && sizes.readIfPresent("maxValue", high)
-     && !(low < high)
-    )
-    {
-        dustProperties::error
-        (
-            sizes,
-            "maxValue",
-            "is " + Foam::name(high) + ", minValue " + Foam::name(low),
-            "minValue < maxValue"
-        );
-    }
-}
-
-
 void Foam::dustKeywords::checkMissing
 (
     const dictionary& dict,
@@ -361,7 +341,7 @@ void Foam::dustKeywords::checkBlock
     }
     if (path == "subModels/injectionModels/*/sizeDistribution/*")
     {
-        checkSizes(dict);
+        sizeCheck::check(word(model), dict);
     }
 }
 
