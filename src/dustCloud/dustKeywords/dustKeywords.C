@@ -58,7 +58,10 @@ static bool among(const std::string& list, const std::string& word)
 //- Bounds, words and unit as they are printed
 static std::string allowedText(const dustKeywords::row& r)
 {
-    std::string allowed = allowance::listed(r.allowed);
+    std::string allowed =
+        r.kind == dustKeywords::other
+      ? r.allowed
+      : allowance::listed(r.allowed);
     if (r.kind == dustKeywords::flag)
     {
         allowed = "on, off";
@@ -80,20 +83,37 @@ static std::string allowedText(const dustKeywords::row& r)
 }
 
 
-//- Of an injector or a cloud function
-static word typeOf(const dictionary& dict)
+//- The model of an injector, a cloud function or a part of a contact. The rows
+//  of a dictionary are not known before
+static word typeOf(const dictionary& dict, const word& keyword = "type")
 {
-    if (!dict.found("type"))
+    const entry* e = dict.findEntry(keyword, keyType::LITERAL);
+    const bool isWord =
+        e && e->isStream() && e->stream().size() == 1
+     && (e->stream()[0].isWord() || e->stream()[0].isString());
+    if (!isWord)
     {
         dustProperties::error
         (
             dict,
-            "type",
-            "is missing",
-            "type with the name of a model (dustFoam -models, -keywords)"
+            keyword,
+            !e ? "is missing" : e->isDict() ? "is a dictionary" : "is no word",
+            keyword + " with the name of a model (dustFoam -models, -keywords)"
         );
     }
-    return dict.get<word>("type");
+    return dict.get<word>(keyword);
+}
+
+
+//- May what is checked elsewhere be a dictionary?
+static bool mayBeBlock(const dustKeywords::row& r)
+{
+    return
+        r.kind == dustKeywords::block || r.kind == dustKeywords::model
+     || (
+            r.kind == dustKeywords::other
+         && (r.allowed == "a function of time" || r.allowed == "{ ... }")
+        );
 }
 
 
@@ -150,7 +170,8 @@ static std::string modelOf
             defaults = defaults ? defaults->findDict("default") : nullptr;
             base = defaults ? defaults->findDict(keyword) : nullptr;
         }
-        return base ? base->lookupOrDefault<word>("model", "none") : "none";
+        return
+            base && base->found("model") ? typeOf(*base, "model") : word("none");
     }
     return "";
 }
@@ -209,12 +230,11 @@ void Foam::dustKeywords::checkEntry
     const row& r
 )
 {
-    const bool isBlock = r.kind == block || r.kind == model;
     std::string wrong;
 
     if (e.isDict())
     {
-        wrong = isBlock || r.kind == other ? "" : "is a dictionary";
+        wrong = mayBeBlock(r) ? "" : "is a dictionary";
     }
     else if (r.kind != model || !e.stream().empty())
     {

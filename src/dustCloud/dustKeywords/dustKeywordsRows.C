@@ -252,7 +252,7 @@ void Foam::dustKeywords::addCloudRows(std::vector<row>& t)
             "longest particle step"},
         {"solution/resetSourcesOnStartup", "", flag, "-", "yes", "",
             "of OpenFOAM, without effect"},
-        {"solution/sourceTerms", "", other, "-", "none", "",
+        {"solution/sourceTerms", "", other, "-", "none", "{ ... }",
             "of OpenFOAM, without effect"},
         {"solution/interpolationSchemes", "", block, "-", "", "",
             "of gas fields at particles"},
@@ -442,8 +442,8 @@ void Foam::dustKeywords::addConeRows(std::vector<row>& t)
     const std::string cones = "coneInjection " + nozzle;
     const std::vector<row> rows
     ({
-        {i + "position", nozzle, other, "m", "none", "a place",
-            "or, of injectionMethod movingPoint, a function of time"},
+        {i + "position", nozzle, other, "m", "none", "a function of time",
+            "or, but for injectionMethod movingPoint, a place (x y z)"},
         {i + "direction", nozzle, vector, "-", "", ">=-1e15 <=1e15",
             "axis of the cone"},
         {i + "injectionMethod", nozzle, name, "-", "", "point disc movingPoint",

@@ -24,6 +24,9 @@ License
 // First: includes DEM.hpp
 #include "dustProperties.H"
 
+#include "dustCloud.H"
+
+#include "CloudFunctionObject.H"
 #include "Tuple2.H"
 #include "uniformDimensionedFields.H"
 #include "volFields.H"
@@ -121,6 +124,35 @@ static bool provideVector(const word& name, const fvMesh& mesh)
     }
     (new uniformDimensionedVectorField(io))->store();
     return true;
+}
+
+
+//- Types of cloud functions: OpenFOAM's, and those of the user's libraries
+static void checkCloudFunctions(const dictionary& functions)
+{
+    const wordList known
+    (
+        CloudFunctionObject<dustCloud::kinematicCloudType>
+      ::dictionaryConstructorTablePtr_->sortedToc()
+    );
+    for (const entry& e : functions)
+    {
+        if (!e.isDict())
+        {
+            continue;
+        }
+        const word type(e.dict().get<word>("type"));
+        if (!known.found(type))
+        {
+            dustProperties::error
+            (
+                e.dict(),
+                "type",
+                "there is no model '" + type + "'",
+                dustProperties::listed(known)
+            );
+        }
+    }
 }
 
 } // End namespace Foam
@@ -260,6 +292,24 @@ void Foam::modelTable::checkInjector(const row& r, const dictionary& dict)
 
     checkWhole(r.name, dict);
 
+    // A place, but for one that moves
+    const entry* placePtr = dict.findEntry("position", keyType::LITERAL);
+    if
+    (
+        r.name == "coneNozzleInjection" && placePtr && placePtr->isDict()
+     && dict.lookupOrDefault<word>("injectionMethod", "") != "movingPoint"
+    )
+    {
+        dustProperties::error
+        (
+            dict,
+            "position",
+            "is a dictionary",
+            "a place (x y z), or a function of time with injectionMethod"
+            " movingPoint"
+        );
+    }
+
     // It counts what it injected per rank, but for all of its positions
     if
     (
@@ -394,6 +444,8 @@ void Foam::modelTable::check
         subModels,
         "dispersionModel"
     );
+
+    checkCloudFunctions(subModels.topDict().subOrEmptyDict("cloudFunctions"));
 
     const dictionary& injectors = subModels.subDict("injectionModels");
     for (const entry& e : injectors)
