@@ -127,6 +127,28 @@ static bool provideVector(const word& name, const fvMesh& mesh)
 }
 
 
+//- The place of a nozzle may be a dictionary only where it moves
+static void checkPlace(const word& injector, const dictionary& dict)
+{
+    const entry* placePtr = dict.findEntry("position", keyType::LITERAL);
+    if
+    (
+        injector == "coneNozzleInjection" && placePtr && placePtr->isDict()
+     && dict.lookupOrDefault<word>("injectionMethod", "") != "movingPoint"
+    )
+    {
+        dustProperties::error
+        (
+            dict,
+            "position",
+            "is a dictionary",
+            "a place (x y z), or a function of time with injectionMethod"
+            " movingPoint"
+        );
+    }
+}
+
+
 //- Types of cloud functions: OpenFOAM's, and those of the user's libraries
 static void checkCloudFunctions(const dictionary& functions)
 {
@@ -292,23 +314,7 @@ void Foam::modelTable::checkInjector(const row& r, const dictionary& dict)
 
     checkWhole(r.name, dict);
 
-    // A place, but for one that moves
-    const entry* placePtr = dict.findEntry("position", keyType::LITERAL);
-    if
-    (
-        r.name == "coneNozzleInjection" && placePtr && placePtr->isDict()
-     && dict.lookupOrDefault<word>("injectionMethod", "") != "movingPoint"
-    )
-    {
-        dustProperties::error
-        (
-            dict,
-            "position",
-            "is a dictionary",
-            "a place (x y z), or a function of time with injectionMethod"
-            " movingPoint"
-        );
-    }
+    checkPlace(r.name, dict);
 
     // It counts what it injected per rank, but for all of its positions
     if
