@@ -23,8 +23,10 @@ License
 #include "dustTime.H"
 #include "stopSignals.H"
 #include "controlKeywords.H"
+#include "controlTimes.H"
 #include "dictionaryLines.H"
 #include "dustProperties.H"
+#include "IFstream.H"
 #include "timeFiles.H"
 
 #include "argList.H"
@@ -371,6 +373,17 @@ void Foam::dustTime::fail(const string& what) const
 
 const Foam::argList& Foam::dustTime::cleaned(const argList& args)
 {
+    // Before Time reads it: OpenFOAM divides by intervals. A rank that has no
+    // such file leaves it to the others
+    IFstream is
+    (
+        args.rootPath()/args.globalCaseName()/"system"/Time::controlDictName
+    );
+    if (is.good())
+    {
+        controlTimes::check(dictionary(is));
+    }
+
     if (!Pstream::parRun())
     {
         return args;
@@ -425,6 +438,12 @@ Foam::dustTime::dustTime(const argList& args)
     readControls();
     skipIncomplete();
     takeExactValue();
+    if (value() > endTime_ - 0.5*deltaT_)
+    {
+        Info<< "Nothing to do: the run starts at time " << timeName()
+            << ", and endTime in " << controlDict().name() << " is "
+            << endTime_ << " s" << nl << endl;
+    }
     stopSignals::watch();
 }
 
