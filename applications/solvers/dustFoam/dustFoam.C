@@ -84,6 +84,7 @@ Usage
 #include "dustCloud.H"
 #include "dustKeywords.H"
 #include "dustTime.H"
+#include "gasKeywords.H"
 #include "masterFirst.H"
 #include "modelTable.H"
 #include "resistedMomentum.H"

@@ -32,7 +32,7 @@ License
 namespace Foam
 {
 
-static const wordList known
+static const wordList ofControlDict
 ({
     "FoamFile", "application", "startFrom", "startTime", "stopAt", "endTime",
     "deltaT", "adjustTimeStep", "maxCo", "maxDeltaT", "maxWallTime",
@@ -93,10 +93,21 @@ static bool oneMistake(const std::string& a, const std::string& b)
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-void Foam::controlKeywords::check(const dictionary& controlDict)
+bool Foam::controlKeywords::mistaken
+(
+    const std::string& given,
+    const std::string& meant
+)
+{
+    const std::string a(lower(given)), b(lower(meant));
+    return given != meant && (a == b || oneMistake(a, b));
+}
+
+
+void Foam::controlKeywords::check(const dictionary& dict, const wordList& known)
 {
     wordList others;
-    for (const entry& e : controlDict)
+    for (const entry& e : dict)
     {
         const word& keyword = e.keyword();
         if (known.found(keyword))
@@ -105,12 +116,11 @@ void Foam::controlKeywords::check(const dictionary& controlDict)
         }
         for (const word& meant : known)
         {
-            const std::string given(lower(keyword)), right(lower(meant));
-            if (given == right || oneMistake(given, right))
+            if (mistaken(keyword, meant))
             {
                 dustProperties::error
                 (
-                    controlDict,
+                    dict,
                     keyword,
                     "is not read by OpenFOAM or dustFoam",
                     meant + "; a variable of your own needs a name that is not"
@@ -123,7 +133,7 @@ void Foam::controlKeywords::check(const dictionary& controlDict)
 
     if (others.size())
     {
-        Info<< "In " << controlDict.dictName() << ", not read by OpenFOAM or"
+        Info<< "In " << dict.dictName() << ", not read by OpenFOAM or"
             << " dustFoam:";
         for (const word& keyword : others)
         {
@@ -132,5 +142,12 @@ void Foam::controlKeywords::check(const dictionary& controlDict)
         Info<< nl << endl;
     }
 }
+
+
+void Foam::controlKeywords::check(const dictionary& controlDict)
+{
+    check(controlDict, ofControlDict);
+}
+
 
 // ************************************************************************* //
