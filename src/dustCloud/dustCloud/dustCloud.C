@@ -23,6 +23,7 @@ License
 #include "dustSnapshot.H"
 #include "caseCheck.H"
 #include "dictionaryLines.H"
+#include "givenTwice.H"
 #include "dustKeywords.H"
 #include "ledgerCheck.H"
 #include "modelTable.H"
@@ -77,6 +78,7 @@ const Foam::word& Foam::dustCloud::checkInput
     );
     reading.clear();
     dictionaryLines::share(properties);
+    givenTwice::check(properties);
 
     // Throws away what it reads: only the messages matter here. All keywords
     // are checked by it.
