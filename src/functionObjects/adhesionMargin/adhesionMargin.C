@@ -67,7 +67,7 @@ bool Foam::functionObjects::adhesionMargin::read(const dictionary& dict)
 {
     fvMeshFunctionObject::read(dict);
     functionKeywords::check(dict);
-    cloudName_ = dict.lookupOrDefault<word>("cloud", "dust");
+    cloudName_ = functionKeywords::cloud(dict, mesh_);
     return true;
 }
 

@@ -62,7 +62,7 @@ bool Foam::functionObjects::deposition::read(const dictionary& dict)
 {
     fvMeshFunctionObject::read(dict);
     functionKeywords::check(dict);
-    cloudName_ = dict.lookupOrDefault<word>("cloud", "dust");
+    cloudName_ = functionKeywords::cloud(dict, mesh_);
     return true;
 }
 

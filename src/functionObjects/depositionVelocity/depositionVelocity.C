@@ -95,7 +95,7 @@ bool Foam::functionObjects::depositionVelocity::read(const dictionary& dict)
 {
     fvMeshFunctionObject::read(dict);
     functionKeywords::check(dict, {"diameters"});
-    cloudName_ = dict.lookupOrDefault<word>("cloud", "dust");
+    cloudName_ = functionKeywords::cloud(dict, mesh_);
     classes_.read(dict);
     return true;
 }

@@ -88,7 +88,7 @@ bool Foam::functionObjects::dustFields::read(const dictionary& dict)
 {
     fvMeshFunctionObject::read(dict);
     functionKeywords::check(dict);
-    cloudName_ = dict.lookupOrDefault<word>("cloud", "dust");
+    cloudName_ = functionKeywords::cloud(dict, mesh_);
     return true;
 }
 

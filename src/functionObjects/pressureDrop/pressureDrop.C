@@ -97,9 +97,19 @@ bool Foam::functionObjects::pressureDrop::read(const dictionary& dict)
 {
     fvMeshFunctionObject::read(dict);
     functionKeywords::check(dict, {"from", "to"});
-    cloudName_ = dict.lookupOrDefault<word>("cloud", "dust");
+    cloudName_ = functionKeywords::cloud(dict, mesh_);
     from_ = patch(dict, "from");
     to_ = patch(dict, "to");
+    if (from_ == to_)
+    {
+        dustProperties::error
+        (
+            dict,
+            "to",
+            "is the patch from which it falls, too",
+            "another patch than that of from"
+        );
+    }
     return true;
 }
 

@@ -22,15 +22,63 @@ License
 #include "dustProperties.H"
 #include "sizeClasses.H"
 
+#include "ITstream.H"
 #include "OStringStream.H"
 
 #include <algorithm>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- Why an entry is no list of finite numbers; empty: it is one
+static string faultOfList(const entry* e)
+{
+    if (!e || !e->isStream())
+    {
+        return e ? "is a dictionary" : "is missing";
+    }
+    const ITstream& is = e->stream();
+    label numbers = 0;
+    for (const token& t : is)
+    {
+        if (t.isNumber() && dem::isFinite(t.number()))
+        {
+            ++numbers;
+        }
+        else if (!t.isPunctuation())
+        {
+            return "is not a list of numbers";
+        }
+    }
+    const label others = is.size() - numbers;
+    return
+        others == 2 && is[is.size() - 1] == token(token::END_LIST)
+      ? ""
+      : "is not a list of numbers";
+}
+
+} // End namespace Foam
+
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::sizeClasses::read(const dictionary& dict)
 {
-    const scalarList limits(dict.get<scalarList>("diameters"));
+    const word keyword("diameters");
+    const string allowed
+    (
+        "two or more limits of classes in m, in parentheses, ascending, the"
+        " same for the whole run"
+    );
+    const string wrong(faultOfList(dict.findEntry(keyword, keyType::LITERAL)));
+    if (!wrong.empty())
+    {
+        dustProperties::error(dict, keyword, wrong, allowed);
+    }
+
+    const scalarList limits(dict.get<scalarList>(keyword));
     bool ascending = limits.size() >= 2 && limits[0] >= 0;
     for (label i = 1; i < limits.size(); ++i)
     {
@@ -43,10 +91,9 @@ void Foam::sizeClasses::read(const dictionary& dict)
         dustProperties::error
         (
             dict,
-            "diameters",
+            keyword,
             given.str(),
-            "two or more limits of classes in m, ascending, the same for the"
-            " whole run"
+            allowed
         );
     }
     limits_ = limits;

@@ -26,6 +26,7 @@ License
 #include "controlTimes.H"
 #include "dictionaryLines.H"
 #include "dustProperties.H"
+#include "functionTypes.H"
 #include "IFstream.H"
 #include "timeFiles.H"
 
@@ -435,6 +436,7 @@ Foam::dustTime::dustTime(const argList& args)
 {
     dictionaryLines::share(controlDict());
     controlKeywords::check(controlDict());
+    functionTypes::check(controlDict());
     readControls();
     skipIncomplete();
     takeExactValue();
