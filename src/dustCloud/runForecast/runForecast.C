@@ -34,6 +34,24 @@ License
 #include <chrono>
 #include <cmath>
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- What is left of the run [s]. With stopAt writeNow and the like no end is given: a step
+static scalar lengthOf(const Time& time)
+{
+    const scalar end = time.endTime().value();
+    return
+        end < 0.5*GREAT
+      ? max(scalar(0), end - time.value())
+      : time.deltaTValue();
+}
+
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::scalar Foam::runForecast::longestStep() const
@@ -188,14 +206,7 @@ Foam::runForecast::runForecast
 )
 :
     cloud_(cloud),
-    length_
-    (
-        max
-        (
-            scalar(0),
-            cloud.mesh().time().endTime().value() - cloud.mesh().time().value()
-        )
-    )
+    length_(lengthOf(cloud.mesh().time()))
 {
     // Far from what overflows
     const scalar most = 1e15;

@@ -66,6 +66,8 @@ Foam::IOobject Foam::functionObjects::captureEfficiency::stateFile
 void Foam::functionObjects::captureEfficiency::readState()
 {
     passed_ = labelList(classes_.size() + 1, 0);
+    const dustCloud* cloud = mesh_.findObject<dustCloud>(cloudName_);
+    const label before = cloud ? cloud->escaped().count : 0;
 
     IOobject io(stateFile(IOobject::MUST_READ));
     if (io.typeHeaderOk<IOdictionary>(true))
@@ -85,11 +87,21 @@ void Foam::functionObjects::captureEfficiency::readState()
             );
         }
         passed_ = state.get<labelList>("passed");
+        if (cloud && state.lookupOrDefault("escaped", before) != before)
+        {
+            dustProperties::error
+            (
+                state,
+                "escaped",
+                Foam::name(state.get<label>("escaped")) + " had left, but "
+              + Foam::name(before) + " have at time " + time_.timeName()
+              + ": the file is of another time",
+                "that of this time, or without this file to count from now on"
+            );
+        }
         return;
     }
 
-    const dustCloud* cloud = mesh_.findObject<dustCloud>(cloudName_);
-    const label before = cloud ? cloud->escaped().count : 0;
     if (before)
     {
         WarningInFunction
@@ -97,6 +109,19 @@ void Foam::functionObjects::captureEfficiency::readState()
             << "which " << io.objectPath() << " does not tell: counted from "
             << "now on only" << endl;
     }
+}
+
+
+void Foam::functionObjects::captureEfficiency::writeState
+(
+    const dustCloud& cloud
+) const
+{
+    IOdictionary state(stateFile(IOobject::NO_READ));
+    state.add("diameters", classes_.limits());
+    state.add("passed", passed_);
+    state.add("escaped", cloud.escaped().count);
+    state.regIOobject::write();
 }
 
 
@@ -232,10 +257,7 @@ bool Foam::functionObjects::captureEfficiency::write()
 
     if (time_.writeTime() && !postProcess)
     {
-        IOdictionary state(stateFile(IOobject::NO_READ));
-        state.add("diameters", classes_.limits());
-        state.add("passed", passed_);
-        state.regIOobject::write();
+        writeState(cloud);
     }
     return true;
 }
