@@ -64,12 +64,37 @@ void Foam::dustCloud::prepareInsertion()
     demData& d = *dem_;
     d.insertion.reset(new dustInsertion(mesh_));
 
+    // Identities that no particle has, of an injector that is new at a restart
+    label last = injectors_.size() - 1;
+    for (const dustParcel& p : *this)
+    {
+        last = max(last, p.origProc() - 1);
+    }
+    reduce(last, maxOp<label>());
+
     forAll(injectors_, injectori)
     {
-        auto* ours = dynamic_cast<dustPatchInjection*>(&injectors_[injectori]);
-        if (ours && ours->active())
+        auto* i = dynamic_cast<dustPatchInjection*>(&injectors_[injectori]);
+        if (i)
         {
-            d.insertion->add(*ours, injectori);
+            last = max(last, i->key());
+        }
+    }
+    const bool restarted = outputProperties_.found("ledger");
+    forAll(injectors_, injectori)
+    {
+        auto* i = dynamic_cast<dustPatchInjection*>(&injectors_[injectori]);
+        if (!i)
+        {
+            continue;
+        }
+        if (i->key() < 0)
+        {
+            i->setKey(restarted && !i->known() ? ++last : injectori);
+        }
+        if (i->active())
+        {
+            d.insertion->add(*i, injectori);
         }
     }
     d.insertion->check(gasFrozen_);
@@ -108,7 +133,11 @@ void Foam::dustCloud::insert(const scalar dt)
         p.rho() = d.properties.density(material);
         p.d() = n.d;
         p.U() = n.U;
-        p.origProc() = n.injector + 1;
+        p.origProc() =
+            dynamic_cast<const dustPatchInjection&>
+            (
+                injectors_[n.injector]
+            ).key() + 1;
         p.origId() = n.number;
         p.state() = dustParcel::airborne;
 

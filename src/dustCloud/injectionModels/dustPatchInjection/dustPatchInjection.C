@@ -184,8 +184,15 @@ Foam::injectionClock Foam::dustPatchInjection::makeClock
     const label total = dict.lookupOrDefault<label>("parcelsTotal", labelMax);
     const scalar SOI = this->SOI_;
     const scalar now = this->owner().db().time().value();
+    // The time directory may have got another name
+    const Time& time = this->owner().db().time();
+    const scalar then =
+        this->owner().outputProperties().subOrEmptyDict("ledger")
+       .lookupOrDefault("time", now);
+    const scalar shift =
+        Time::timeName(then) == time.timeName() ? 0 : now - then;
     const scalar started =
-        this->template getModelProperty<scalar>("start", GREAT);
+        this->template getModelProperty<scalar>("start", GREAT) + shift;
 
     const auto clock = [&](const scalar start, const scalar offset)
     {
@@ -196,8 +203,14 @@ Foam::injectionClock Foam::dustPatchInjection::makeClock
         );
     };
 
-    if (started < GREAT)
+    if (known())
     {
+        if (shift != 0)
+        {
+            Info<< "Injector " << this->modelName() << ": what was written at "
+                << then << " s is now time " << now
+                << " s; injection goes on as it would have then" << nl << endl;
+        }
         const bool sameUnit =
             this->template getModelProperty<word>("rateKeyword", "")
          == rate_.keyword();
@@ -273,6 +286,7 @@ Foam::dustPatchInjection::dustPatchInjection
     fastest_(0),
     crossing_(0),
     rate_(dict, dustProperties(owner.particleProperties())),
+    key_(this->template getModelProperty<label>("key", -1)),
     next_(this->template getModelProperty<label>("next")),
     before_(0),
     redrawn_(this->template getModelProperty<label>("redrawn")),
@@ -322,6 +336,7 @@ Foam::dustPatchInjection::dustPatchInjection(const dustPatchInjection& im)
     fastest_(im.fastest_),
     crossing_(im.crossing_),
     rate_(im.rate_),
+    key_(im.key_),
     next_(im.next_),
     before_(im.before_),
     redrawn_(im.redrawn_),
@@ -497,6 +512,7 @@ void Foam::dustPatchInjection::info(Ostream& os)
 
     if (this->writeTime())
     {
+        this->setModelProperty("key", key_);
         this->setModelProperty("next", next_);
         this->setModelProperty("redrawn", redrawn_);
         this->setModelProperty("leftOut", leftOut_);

@@ -81,8 +81,8 @@ static const std::vector<keys::row>& injectorRows()
         (
             "-", keys::integer, "0", ">=0",
             {
-                "*/nInjections", "*/parcelsAddedTotal", "*/next", "*/redrawn",
-                "*/leftOut", "*/withoutFlow"
+                "*/nInjections", "*/parcelsAddedTotal", "*/key", "*/next",
+                "*/redrawn", "*/leftOut", "*/withoutFlow"
             }
         ),
         rowsOf("m3", keys::number, "0", ">=0 <=1e15", {"*/volumeTotal"}),
@@ -126,6 +126,7 @@ static const std::vector<keys::row>& ledgerRows()
             }
         ),
         rowsOf("s", keys::number, "", ">=0 <=1e15", {"particleStep/left"}),
+        rowsOf("s", keys::number, "none", ">=-1e15 <=1e15", {"time"}),
         rowsOf("-", keys::number, "none", ">0 <=1", {"chi"}),
         rowsOf("-", keys::name, "", "", {"particleStep/gas"}),
         rowsOf("-", keys::name, "none", "", {"ratio"}),
