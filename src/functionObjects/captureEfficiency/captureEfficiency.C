@@ -145,7 +145,7 @@ Foam::functionObjects::captureEfficiency::captureEfficiency
     penetration_
     (
         runTime,
-        name,
+        name + "Penetration",
         "penetration",
         "time_s,dLow_m,dHigh_m,passed,captured,penetration,low95,high95"
     )
