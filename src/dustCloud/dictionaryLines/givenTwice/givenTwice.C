@@ -19,10 +19,6 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-
-// First: includes DEM.hpp
-#include "dustProperties.H"
-
 #include "givenTwice.H"
 
 #include "DynamicList.H"
@@ -52,31 +48,10 @@ static string textOf(const token& t)
 }
 
 
-//- The dictionary that the names lead to, as far as they go
-static const dictionary& innermost
-(
-    const dictionary& dict,
-    const UList<string>& names
-)
-{
-    const dictionary* d = &dict;
-    for (const string& name : names)
-    {
-        const dictionary* next = d->findDict(name, keyType::LITERAL);
-        if (!next)
-        {
-            break;
-        }
-        d = next;
-    }
-    return *d;
-}
-
-
-//- Keep a value; refuse it if there is another one
+//- Keep a value; warn if there is another one
 static void keep
 (
-    const dictionary& dict,
+    const fileName& file,
     const UList<string>& names,
     const string& keyword,
     const givenValue& value,
@@ -93,15 +68,10 @@ static void keep
     const auto before = given.cfind(path);
     if (before.found() && (*before).text != value.text)
     {
-        dustProperties::error
-        (
-            innermost(dict, names),
-            word(keyword, false),
-            "is given twice:" + (*before).text + " in line "
-          + Foam::name((*before).line) + ", and" + value.text + " in line "
-          + Foam::name(value.line),
-            "one of them"
-        );
+        Info<< "Warning: keyword '" << path.c_str() << "' is given twice:"
+            << (*before).text.c_str() << " in line " << (*before).line
+            << ", and" << value.text.c_str() << " in line " << value.line
+            << " of " << file << ". The last one counts" << nl << endl;
     }
     given.set(path, value);
 }
@@ -149,7 +119,7 @@ void Foam::givenTwice::check(const dictionary& dict)
         {
             if (!keyword.empty())
             {
-                keep(dict, names, keyword, value, given);
+                keep(dict.name(), names, keyword, value, given);
             }
             keyword.clear();
         }
