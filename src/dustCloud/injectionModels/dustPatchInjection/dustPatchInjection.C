@@ -187,8 +187,7 @@ Foam::injectionClock Foam::dustPatchInjection::makeClock
     // The time directory may have got another name
     const Time& time = this->owner().db().time();
     const scalar then =
-        this->owner().outputProperties().subOrEmptyDict("ledger")
-       .lookupOrDefault("time", now);
+        this->template getModelProperty<scalar>("written", now);
     const scalar shift =
         Time::timeName(then) == time.timeName() ? 0 : now - then;
     const scalar started =
@@ -512,6 +511,7 @@ void Foam::dustPatchInjection::info(Ostream& os)
 
     if (this->writeTime())
     {
+        this->setModelProperty("written", this->owner().db().time().value());
         this->setModelProperty("key", key_);
         this->setModelProperty("next", next_);
         this->setModelProperty("redrawn", redrawn_);

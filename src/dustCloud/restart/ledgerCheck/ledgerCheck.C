@@ -94,7 +94,7 @@ static const std::vector<keys::row>& injectorRows()
         rowsOf
         (
             "s", keys::number, "0", ">=-1e15 <=1e15",
-            {"*/timeStep0", "*/start", "*/offset", "*/SOI"}
+            {"*/timeStep0", "*/written", "*/start", "*/offset", "*/SOI"}
         ),
         rowsOf("1/s, kg/s", keys::number, "0", ">0 <=1e15", {"*/rate"}),
         rowsOf("-", keys::name, "none", "", {"*/rateKeyword", "*/profile"})
@@ -126,7 +126,6 @@ static const std::vector<keys::row>& ledgerRows()
             }
         ),
         rowsOf("s", keys::number, "", ">=0 <=1e15", {"particleStep/left"}),
-        rowsOf("s", keys::number, "none", ">=-1e15 <=1e15", {"time"}),
         rowsOf("-", keys::number, "none", ">0 <=1", {"chi"}),
         rowsOf("-", keys::name, "", "", {"particleStep/gas"}),
         rowsOf("-", keys::name, "none", "", {"ratio"}),
