@@ -145,6 +145,7 @@ void Foam::dustCloud::storeCounters()
     dictionary ledger;
     ledger.set("version", ledgerVersion);
     ledger.set("timeIndex", mesh_.time().timeIndex());
+    ledger.set("time", mesh_.time().value());
     ledger.set("injected", injected_.count);
     ledger.set("injectedMass", injected_.mass);
     ledger.set("refused", refused_.count);

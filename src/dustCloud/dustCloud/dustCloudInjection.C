@@ -22,6 +22,7 @@ License
 #include "dustCloudData.H"
 #include "dustPatchInjection.H"
 #include "injectionRate.H"
+#include "injectorPast.H"
 #include "modelTable.H"
 
 #include "OStringStream.H"
@@ -64,22 +65,21 @@ void Foam::dustCloud::prepareInsertion()
     demData& d = *dem_;
     d.insertion.reset(new dustInsertion(mesh_));
 
-    // Identities that no particle has, of an injector that is new at a restart
-    label last = injectors_.size() - 1;
+    // One that is new at a restart gets identities of its own
+    label last = max(injectors_.size() - 1, injectorPast::last(outputProperties_));
     for (const dustParcel& p : *this)
     {
         last = max(last, p.origProc() - 1);
     }
     reduce(last, maxOp<label>());
 
+    wordList names(injectors_.size());
     forAll(injectors_, injectori)
     {
-        auto* i = dynamic_cast<dustPatchInjection*>(&injectors_[injectori]);
-        if (i)
-        {
-            last = max(last, i->key());
-        }
+        names[injectori] = injectors_[injectori].modelName();
     }
+    injectorPast::tellGone(outputProperties_, names, mesh_.time());
+
     const bool restarted = outputProperties_.found("ledger");
     forAll(injectors_, injectori)
     {
@@ -90,7 +90,13 @@ void Foam::dustCloud::prepareInsertion()
         }
         if (i->key() < 0)
         {
-            i->setKey(restarted && !i->known() ? ++last : injectori);
+            i->setKey
+            (
+                !restarted ? injectori
+              : i->known()
+              ? injectorPast::place(outputProperties_, i->modelName())
+              : ++last
+            );
         }
         if (i->active())
         {

@@ -171,7 +171,7 @@ const std::vector<Foam::modelTable::row>& Foam::modelTable::rows()
         {injection, "none", true, "", "", "", "", {}, false},
         {
             injection, "manualInjection", true,
-            "all at SOI, at the positions of a file",
+            "all at SOI, or at a later start, at the positions of a file",
             "", oneParticle, "", {}, false
         },
         {
@@ -188,7 +188,7 @@ const std::vector<Foam::modelTable::row>& Foam::modelTable::rows()
         },
         {
             injection, "cellZoneInjection", true,
-            "all at SOI; what overlaps is refused and counted",
+            "all at SOI, or at a later start; what overlaps is refused and counted",
             "manualInjection", oneParticle, "",
             {{need::cellZone, "cellZone", ""}}, false, decomposed
         },

@@ -25,6 +25,7 @@ License
 
 #include "dustPatchInjection.H"
 #include "cellCrossing.H"
+#include "injectorPast.H"
 
 #include <algorithm>
 #include <cmath>
@@ -184,14 +185,13 @@ Foam::injectionClock Foam::dustPatchInjection::makeClock
     const label total = dict.lookupOrDefault<label>("parcelsTotal", labelMax);
     const scalar SOI = this->SOI_;
     const scalar now = this->owner().db().time().value();
-    // The time directory may have got another name
-    const Time& time = this->owner().db().time();
-    const scalar then =
-        this->template getModelProperty<scalar>("written", now);
-    const scalar shift =
-        Time::timeName(then) == time.timeName() ? 0 : now - then;
+    const injectorPast past
+    (
+        this->dict(), this->modelName(), typeName,
+        this->owner().outputProperties(), this->owner().db().time()
+    );
     const scalar started =
-        this->template getModelProperty<scalar>("start", GREAT) + shift;
+        this->template getModelProperty<scalar>("start", GREAT) + past.shift();
 
     const auto clock = [&](const scalar start, const scalar offset)
     {
@@ -204,12 +204,6 @@ Foam::injectionClock Foam::dustPatchInjection::makeClock
 
     if (known())
     {
-        if (shift != 0)
-        {
-            Info<< "Injector " << this->modelName() << ": what was written at "
-                << then << " s is now time " << now
-                << " s; injection goes on as it would have then" << nl << endl;
-        }
         const bool sameUnit =
             this->template getModelProperty<word>("rateKeyword", "")
          == rate_.keyword();
@@ -511,7 +505,11 @@ void Foam::dustPatchInjection::info(Ostream& os)
 
     if (this->writeTime())
     {
-        this->setModelProperty("written", this->owner().db().time().value());
+        this->setModelProperty("type", word(typeName));
+        if (this->active())
+        {
+            this->setModelProperty("time", this->owner().db().time().value());
+        }
         this->setModelProperty("key", key_);
         this->setModelProperty("next", next_);
         this->setModelProperty("redrawn", redrawn_);

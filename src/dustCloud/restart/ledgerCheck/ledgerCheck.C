@@ -85,6 +85,7 @@ static const std::vector<keys::row>& injectorRows()
                 "*/redrawn", "*/leftOut", "*/withoutFlow"
             }
         ),
+        rowsOf("-", keys::integer, "0", "", {"*/skipped"}),
         rowsOf("m3", keys::number, "0", ">=0 <=1e15", {"*/volumeTotal"}),
         rowsOf
         (
@@ -94,10 +95,17 @@ static const std::vector<keys::row>& injectorRows()
         rowsOf
         (
             "s", keys::number, "0", ">=-1e15 <=1e15",
-            {"*/timeStep0", "*/written", "*/start", "*/offset", "*/SOI"}
+            {
+                "*/time", "*/timeStep0", "*/start", "*/began", "*/offset",
+                "*/SOI"
+            }
         ),
         rowsOf("1/s, kg/s", keys::number, "0", ">0 <=1e15", {"*/rate"}),
-        rowsOf("-", keys::name, "none", "", {"*/rateKeyword", "*/profile"})
+        rowsOf
+        (
+            "-", keys::name, "none", "",
+            {"*/type", "*/rateKeyword", "*/profile"}
+        )
     });
     return table;
 }
@@ -126,6 +134,7 @@ static const std::vector<keys::row>& ledgerRows()
             }
         ),
         rowsOf("s", keys::number, "", ">=0 <=1e15", {"particleStep/left"}),
+        rowsOf("s", keys::number, "none", ">=-1e15 <=1e15", {"time"}),
         rowsOf("-", keys::number, "none", ">0 <=1", {"chi"}),
         rowsOf("-", keys::name, "", "", {"particleStep/gas"}),
         rowsOf("-", keys::name, "none", "", {"ratio"}),
