@@ -450,7 +450,7 @@ void Foam::dustKeywords::addConeRows(std::vector<row>& t)
             "where they enter"},
         {i + "flowType", nozzle, name, "-", "",
             "constantVelocity pressureDrivenVelocity flowRateAndDischarge",
-            "what sets their velocity"},
+            "what sets their velocity; flowRateAndDischarge is refused"},
         {i + "UMag", nozzle, number, "m/s", "none", ">=0 <=1e6",
             "speed, of flowType constantVelocity"},
         {i + "outerDiameter", nozzle, number, "m", "", ">=0 <=1e6",

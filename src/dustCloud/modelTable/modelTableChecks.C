@@ -27,6 +27,7 @@ License
 #include "dustCloud.H"
 
 #include "CloudFunctionObject.H"
+#include "injectorFunctions.H"
 #include "Tuple2.H"
 #include "uniformDimensionedFields.H"
 #include "volFields.H"
@@ -315,6 +316,8 @@ void Foam::modelTable::checkInjector(const row& r, const dictionary& dict)
     checkWhole(r.name, dict);
 
     checkPlace(r.name, dict);
+
+    injectorFunctions::check(r.name, dict);
 
     // It counts what it injected per rank, but for all of its positions
     if
