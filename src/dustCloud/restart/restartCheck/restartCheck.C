@@ -268,7 +268,6 @@ void Foam::restartCheck::loads(const label i, const dustParcel& p) const
     const scalar inertia = m*sqr(p.d());
     const scalar spin = 2*fastestSurface/p.d();
     const scalar gas = max(scalar(1e3), 10*gasSpeed_);
-    const scalar kick = m*gas;
 
     typedef dustParcel dust;
     check("gasLoadSp", dust::loadSp, 1, 0, m/shortest, " kg/s");
@@ -285,7 +284,7 @@ void Foam::restartCheck::loads(const label i, const dustParcel& p) const
     const scalar force = load[dust::loadSp]*gas + m*steepest;
     check("gasLoadSu", dust::loadSu, 3, -force, force, " N");
     check("gasLoadOmegaC", dust::loadOmegaC, 3, -spin, spin, " rad/s");
-    check("gasKick", dust::loadKick, 3, -kick, kick, " N s");
+    check("gasKick", dust::loadKick, 3, -gas, gas, " m/s");
     const scalar age = (1 + 1e-9)*max(p.age(), scalar(0));
     check("behind", dust::loadBehind, 1, 0, age, " s");
 }
