@@ -241,6 +241,17 @@ static void checkNozzle(const dictionary& dict)
 
 void Foam::injectorFunctions::check(const word& type, const dictionary& dict)
 {
+    if (!dict.lookupOrDefault("active", true))
+    {
+        dustProperties::error
+        (
+            dict,
+            "active",
+            "is off: OpenFOAM does not look at it, and injects",
+            "on; type none for an injector that injects nothing"
+        );
+    }
+
     const bool cone = type == "coneInjection";
     const bool nozzle = type == "coneNozzleInjection";
 

@@ -506,10 +506,7 @@ void Foam::dustPatchInjection::info(Ostream& os)
     if (this->writeTime())
     {
         this->setModelProperty("type", word(typeName));
-        if (this->active())
-        {
-            this->setModelProperty("time", this->owner().db().time().value());
-        }
+        this->setModelProperty("time", this->owner().db().time().value());
         this->setModelProperty("key", key_);
         this->setModelProperty("next", next_);
         this->setModelProperty("redrawn", redrawn_);

@@ -162,7 +162,7 @@ Foam::injectorPast::injectorPast
     }
     else
     {
-        Info<< "it was last there and active at " << thenName
+        Info<< "it was last there at " << thenName
             << " s; injection goes on from there at " << time.timeName()
             << " s";
     }
