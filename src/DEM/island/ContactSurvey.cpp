@@ -89,6 +89,8 @@ void ContactSurvey::check
             p.i, p.j, time
         );
     }
+    // in a mirror it stands for nothing but the time of the turn
+    if (list.isWall() && env_.mirrors(list.j[k])) return;
     report.maxOverlapOverDiameter =
         std::max(report.maxOverlapOverDiameter, list.overlap[k]/(2*a.smaller));
 }

@@ -23,6 +23,7 @@ struct Environment
     {
         return walls.walls().patches[std::size_t(patch)].material;
     }
+    bool mirrors(int patch) const { return wallMaterial(patch) == mirror; }
 };
 
 }

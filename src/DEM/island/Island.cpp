@@ -157,7 +157,7 @@ void Island::noteTouches(const std::vector<Touch>& touches, StepReport& report) 
         if (t.j < 0)
         {
             speed = vec(a.v).dot(t.n);
-            report.followerTouches += follows(state_, t.i, t.n);
+            report.followerTouches += !env_.mirrors(t.patch) && follows(state_, t.i, t.n);
         }
         else
         {

@@ -111,6 +111,8 @@ void Rest::findWeakest(const IslandState& state)
     double longest = 0;
     state.contacts.each([&](std::size_t, const ContactList& list, std::size_t k)
     {
+        // a mirror holds nothing
+        if (list.isWall() && env_.mirrors(list.j[k])) return;
         const ContactEntry& e = state.contacts.entry(list, k);
         const Partners p = partners(list, k);
         weakest_[std::size_t(p.i)].add(e);
@@ -293,7 +295,10 @@ std::vector<char> Rest::heldAndQuiet(IslandState& state) const
     };
     for (const ContactStore::Lists& l : state.contacts.lists)
     {
-        for (std::size_t k = 0; k < l.walls.size(); ++k) hold(l.walls.i[k], l.walls, k);
+        for (std::size_t k = 0; k < l.walls.size(); ++k)
+        {
+            if (!env_.mirrors(l.walls.j[k])) hold(l.walls.i[k], l.walls, k);
+        }
         for (std::size_t k = 0; k < l.pairs.size(); ++k)
         {
             const int i = l.pairs.i[k], j = l.pairs.j[k];

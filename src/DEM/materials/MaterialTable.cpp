@@ -7,7 +7,6 @@
 #include "particles/errors.hpp"
 #include "particles/finite.hpp"
 #include "timeIntegration/contactPeriod.hpp"
-#include "walls/Walls.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -129,10 +128,11 @@ MaterialTable::MaterialTable
     checkRatio(chi);
 
     const std::size_t n = materials_.size();
-    constants_.resize(n*n);
-    settings_.resize(n*n);
-    names_.resize(n*n);
-    lawIndex_.resize(n*n);
+    constants_.resize(n*(n + 1));
+    settings_.resize(n*(n + 1));
+    names_.resize(n*(n + 1));
+    lawIndex_.resize(n*(n + 1));
+    pairInLaw_.resize(n*(n + 1));
     std::vector<std::shared_ptr<ContactLaw>> laws;
 
     for (std::size_t i = 0; i < n; ++i)
@@ -183,13 +183,12 @@ MaterialTable::MaterialTable
 
                 // every pair, in either order, gets its own numbers
                 const int entry = laws[l]->addPair(s);
-                for (const std::size_t k : {i*n + j, j*n + i})
+                for (const std::size_t k : {at(int(i), int(j)), at(int(j), int(i))})
                 {
                     constants_[k] = c;
                     settings_[k] = s;
                     names_[k] = ab;
                     lawIndex_[k] = int(l);
-                    pairInLaw_.resize(n*n);
                     pairInLaw_[k] = entry;
                 }
             }
@@ -223,6 +222,28 @@ MaterialTable::MaterialTable
 }
 
 
+void MaterialTable::addMirrors()
+{
+    if (mirrors_) return;
+    mirrors_ = true;
+    std::shared_ptr<ContactLaw> law = newContactLaw(mirrorSettings());
+    for (int i = 0; i < int(materials_.size()); ++i)
+    {
+        ContactSettings s = mirrorSettings();
+        // as stiff as the plane between two that meet in it
+        s.effectiveYoungsModulus = 2*constants(i, i).realE;
+        const std::size_t k = at(i, mirror);
+        const Material& m = materials_[std::size_t(i)];
+        constants_[k] = softened(m, m, s, softening_);
+        settings_[k] = s;
+        names_[k] = m.name + ".mirror";
+        lawIndex_[k] = int(laws_.size());
+        pairInLaw_[k] = law->addPair(s);
+    }
+    laws_.push_back(std::move(law));
+}
+
+
 void MaterialTable::setRatio(double chi)
 {
     checkRatio(chi);
@@ -240,9 +261,12 @@ void MaterialTable::setRatio(double chi)
                   + pairName(int(i), int(j)) + " is not softened", "1"
                 );
             }
-            constants_[i*n + j] = constants_[j*n + i] =
+            constants_[at(int(i), int(j))] = constants_[at(int(j), int(i))] =
                 softened(materials_[i], materials_[j], settings(int(i), int(j)), softening_);
         }
+        if (!mirrors_) continue;
+        constants_[at(int(i), mirror)] =
+            softened(materials_[i], materials_[i], settings(int(i), mirror), softening_);
     }
 }
 

@@ -7,7 +7,7 @@
 #include "materials/ContactSettings.hpp"
 #include "materials/Material.hpp"
 #include "reducedStiffness/ReducedStiffness.hpp"
-#include "walls/WallCurvature.hpp"
+#include "walls/Walls.hpp"
 
 #include <cmath>
 #include <map>
@@ -84,6 +84,11 @@ public:
         ReducedStiffness softening
     );
 
+    //- Let walls be mirrors: what each material does there is what it does with its own image,
+    //  but without adhesion, friction and loss
+    void addMirrors();
+    bool mirrors() const { return mirrors_; }
+
     //- Another chi for all pairs; what else was asked for of the softening stays.
     //  Errors: inputError on what the constructor refuses, too
     void setRatio(double chi);
@@ -123,11 +128,13 @@ private:
 
     std::size_t at(int i, int j) const
     {
-        return std::size_t(i)*materials_.size() + std::size_t(j);
+        // the first of a row is its material with mirrors
+        return std::size_t(i)*(materials_.size() + 1) + std::size_t(j - mirror);
     }
 
     std::vector<Material> materials_;
     ReducedStiffness softening_;
+    bool mirrors_ = false;
     std::vector<PairConstants> constants_;
     std::vector<ContactSettings> settings_;
     std::vector<std::string> names_;

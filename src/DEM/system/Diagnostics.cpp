@@ -169,7 +169,8 @@ std::vector<ContactView> Diagnostics::contacts() const
     std::vector<ContactView> result;
     eachContact([&](std::size_t i, std::size_t k, const Particle* j)
     {
-        result.push_back(view(i, store_.contacts[i][k], j));
+        const ContactRecord& c = store_.contacts[i][k];
+        if (j || !walls_.walls().mirrors(c.wall)) result.push_back(view(i, c, j));
     });
     return result;
 }
@@ -197,7 +198,9 @@ std::vector<ClusterLabel> Diagnostics::clusters() const
     {
         for (const ContactRecord& c : store_.contacts[i])
         {
-            graph.bonds.push_back({store_.particles[i].id, c.wall >= 0 ? -1 : c.idJ, 0});
+            const bool wall = c.wall >= 0;
+            if (wall && walls_.walls().mirrors(c.wall)) continue;
+            graph.bonds.push_back({store_.particles[i].id, wall ? -1 : c.idJ, 0});
         }
     }
     const auto labels = clusterLabels(graph.everywhere(communicator_));

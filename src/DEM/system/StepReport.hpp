@@ -17,10 +17,10 @@ struct StepReport
     std::int64_t freeFlights = 0;       // particles moved in closed form over the whole step
     std::int64_t aggregateFlights = 0;  // aggregates moved as one body over the whole step
     std::int64_t repeats = 0;           // steps done again, as particles left their boxes
-    std::int64_t touches = 0;           // contacts formed
+    std::int64_t touches = 0;           // contacts formed, also with mirrors
     Sum touchSpeed;                     // sum of their speeds of approach [m/s]
     Sum touchSpeedSquare;               // sum of the squares of these [m2/s2]
-    // contacts with walls formed by particles that the gas has brought: tau_p v_n < r, i.e. they
+    // contacts with walls (no mirrors) formed by particles that the gas has brought: tau_p v_n < r, i.e. they
     // would have stopped within their radius, and no other force has driven them
     std::int64_t followerTouches = 0;
     std::int64_t separations = 0;       // contacts ended
@@ -29,7 +29,7 @@ struct StepReport
     std::int64_t resting = 0;           // particles at rest in deposits at the end
     std::int64_t flyingAtRest = 0;      // particles in aggregates at rest inside at the end
     std::int64_t inContact = 0;         // particles in contact at the end
-    double maxOverlapOverDiameter = 0;  // largest delta/(2 min(r_i, r_j)) met
+    double maxOverlapOverDiameter = 0;  // largest delta/(2 min(r_i, r_j)) met, but in mirrors
     double minStepsPerContact = 1e300;  // period over step of the stiffest contact met
     // largest contact step over its stability bound, at the end of each island; with the energy
     // ledger on also over that of the contacts as each step left them

@@ -145,12 +145,13 @@ void System::setWalls(Walls walls)
 {
     for (const WallPatch& p : walls.patches)
     {
+        if (p.material == mirror && materials().mirrors()) continue;
         if (p.material < 0 || p.material >= int(materials().materials().size()))
         {
             throw inputError
             (
                 "walls", "material " + std::to_string(p.material) + " of " + p.name,
-                "an index into the materials"
+                "an index into the materials, or mirror where these have addMirrors()"
             );
         }
     }
@@ -237,7 +238,7 @@ Vec3 System::wallNormal(std::size_t i) const
     Vec3 sum = Vec3::Zero();
     for (const ContactRecord& c : impl_->store.contacts[impl_->store.checked(i)])
     {
-        if (c.wall >= 0) sum += Vec3(c.n[0], c.n[1], c.n[2]);
+        if (c.wall >= 0 && !walls().mirrors(c.wall)) sum += Vec3(c.n[0], c.n[1], c.n[2]);
     }
     const double length = sum.norm();
     return length > 0 ? Vec3(sum/length) : sum;

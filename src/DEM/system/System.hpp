@@ -107,7 +107,7 @@ public:
         bool inContact(std::size_t index) const;
 
         //- Unit vector into the wall that the particle has a contact with, of several walls their
-        //  mean; zero: none
+        //  mean; zero: none, or mirrors only
         Vec3 wallNormal(std::size_t index) const;
 
 
@@ -151,7 +151,7 @@ public:
 
         //- Contacts of this rank's particles. A pair contact is listed on the rank that
         //  owns its lower id; forces are re-evaluated without touching any history.
-        //  Collective.
+        //  Those with mirrors are left out. Collective.
         std::vector<ContactView> contacts() const;
 
         //- Pull-off force over external force for every bonded particle of all ranks:
@@ -162,7 +162,7 @@ public:
         std::vector<double> adhesionMargins() const;
 
         //- Labels of connected clusters: for each particle of this rank the lowest id of
-        //  its cluster and whether that cluster holds on to a wall. Collective.
+        //  its cluster and whether that cluster holds on to a wall, no mirror. Collective.
         std::vector<ClusterLabel> clusters() const;
 
 

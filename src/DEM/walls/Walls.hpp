@@ -29,10 +29,14 @@ struct WallPlane    { Vec3 point; Vec3 normal; int patch; };                // n
 struct WallCylinder { Vec3 point; Vec3 axis; double radius; bool inside; int patch; };
 struct WallSphere   { Vec3 centre; double radius; bool inside; int patch; };
 
+//- Instead of a material: the patch is a mirror, e.g. a plane of symmetry. What touches it turns
+//  round there without friction, adhesion or loss, and is not held by it
+inline constexpr int mirror = -1;
+
 struct WallPatch
 {
     std::string name;
-    int material;       // index into MaterialTable::materials()
+    int material;       // index into MaterialTable::materials(), or mirror
 
     //- What contacts adhere by, all over the patch. Not given: that of its shapes, where they
     //  are analytic and alike; else flat
@@ -50,6 +54,7 @@ struct Walls
     double featureAngle = 30;               // [deg] an edge sharper than this is a feature
 
     const std::string& patchName(int patch) const { return patches[std::size_t(patch)].name; }
+    bool mirrors(int patch) const { return patches[std::size_t(patch)].material == mirror; }
     const WallCurvature& curvature(int patch) const
     {
         static constexpr WallCurvature flat;

@@ -396,6 +396,44 @@ TEST(materialTable, figures)
 }
 
 
+TEST(materialTable, mirrorIsTheOwnImage)
+{
+    // Two equal spheres that meet at 2 v, each of which turns round at the plane between them;
+    // softened like all others, also later; the other pairs stay as they are
+    Law elastic = full(), adhesive = full();
+    elastic.gamma = 0;
+    elastic.restitution = 1;
+    const double r = 1e-6, v = 0.5, m = elastic.mass(r);
+    for (const double chi : {1.0, 0.01})
+    {
+        elastic.softening.ratio = adhesive.softening.ratio = chi;
+        const dem::ContactFigures pair = elastic.table().figures(0, 0, r, r, m, m, 2*v);
+        adhesive.softening.ratio = 1;
+        dem::MaterialTable table = adhesive.table();
+        const std::size_t laws = table.laws().size();
+        const double before = table.constants(1, 0).E;
+        table.addMirrors();
+        table.addMirrors();
+        EXPECT_EQ(table.laws().size(), laws + 1);
+        EXPECT_EQ(table.lawIndex(0, dem::mirror), int(laws));
+        EXPECT_EQ(table.constants(1, 0).E, before);
+        table.setRatio(chi);
+        const dem::ContactFigures f = table.figures(0, dem::mirror, r, -1, m, 0, v);
+        EXPECT_TRUE(close(f.impactTime, pair.impactTime, 1e-12));
+        EXPECT_TRUE(close(f.impactOverlap, pair.impactOverlap/2, 1e-12));
+        EXPECT_EQ(f.pullOff, 0);
+        EXPECT_EQ(f.deltaC, 0);
+        const dem::ContactLaw& law = *table.laws().back();
+        EXPECT_FALSE(law.needsSpin());
+        double c[dem::maxConstants], history[dem::maxHistory] = {};
+        law.prepare(table.pairInLaw(0, dem::mirror), {table.constants(0, dem::mirror), r, m}, c);
+        const dem::NormalResponse<double> response = law.normalResponse(c, 1e-9, history);
+        EXPECT_GT(response.elastic, 0);
+        EXPECT_EQ(response.damping, 0);
+    }
+}
+
+
 TEST(reducedStiffness, scalings)
 {
     for (const double chi : {0.5, 0.1, 0.01, 1e-3})

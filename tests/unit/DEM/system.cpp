@@ -451,6 +451,65 @@ TEST(rest, aStuckSphereComesToRest)
 }
 
 
+//- One is thrown against a mirror, another lies on the floor and against the mirror, a third is
+//  pressed to the mirror only
+TEST(rest, aMirrorHoldsNothing)
+{
+    const double r = 1e-6;
+    for (const double chi : {1.0, 0.01})
+    {
+        SCOPED_TRACE(scene::text(chi));
+        Law law = scene::stickyLaw();
+        law.softening.ratio = chi;
+        dem::MaterialTable table = law.table();
+        dem::Walls walls = scene::floor();
+        walls.patches.push_back({"symmetry", dem::mirror});
+        walls.planes.push_back({Vec3::Zero(), Vec3::UnitY(), 1});
+        dem::System strict(table, {});
+        EXPECT_THROW(strict.setWalls(walls), dem::inputError);
+        table.addMirrors();
+        dem::TimeSettings time;
+        time.stepsPerContact = 200;
+        dem::System system(table, time);
+        system.setWalls(walls);
+        const double deep = table.figures(0, 1, r, -1, law.mass(r), 0, 1).delta0;
+        system.add(sphere(law, 1, r, Vec3(0, 3*r, 10*r), Vec3(0.1, -0.1, 0)));
+        system.add(sphere(law, 2, r, Vec3(9*r, r - 1e-11, r - deep)));
+        system.add(sphere(law, 3, r, Vec3(50*r, r - 1e-11, 10*r)));
+        dem::GasLoad press;
+        press.Sp = 1e-6;
+        press.Su = Vec3(0, -1e-10, 0);
+        system.setGasLoad(2, press);
+        dem::StepReport all;
+        for (int k = 0; k < 40; ++k) all.add(system.advance(1e-6));
+
+        const dem::Particle& thrown = system.particle(0);
+        EXPECT_EQ(thrown.v.x(), 0.1);
+        EXPECT_TRUE(near(thrown.v.y(), 0.1, 1e-7));
+        EXPECT_EQ(thrown.omega, Vec3::Zero());
+        const double took = 4e-5 - (2*r + thrown.x.y() - r)/0.1;
+        const double time0 =
+            table.figures(0, dem::mirror, r, -1, law.mass(r), 0, 0.1).impactTime;
+        EXPECT_TRUE(near(took, time0, 1e-3*time0));
+        EXPECT_TRUE(system.resting(1));
+        EXPECT_TRUE(system.inContact(2));
+        EXPECT_FALSE(system.resting(2));
+
+        // the floor is all that is told of
+        EXPECT_EQ(all.followerTouches, 0);
+        EXPECT_LT(all.maxOverlapOverDiameter, deep/r);
+        EXPECT_EQ(system.contacts().size(), 1u);
+        EXPECT_EQ(system.adhesionMargins().size(), 1u);
+        EXPECT_FALSE(system.clusters()[0].onWall);
+        EXPECT_TRUE(system.clusters()[1].onWall);
+        EXPECT_FALSE(system.clusters()[2].onWall);
+        EXPECT_EQ(system.wallNormal(1), Vec3(0, 0, -1));
+        EXPECT_EQ(system.wallNormal(2), Vec3::Zero());
+        EXPECT_EQ(system.setRatio(0.5).contacts, 3);
+    }
+}
+
+
 TEST(rest, noToleranceNoRest)
 {
     const Law law = scene::stickyLaw();

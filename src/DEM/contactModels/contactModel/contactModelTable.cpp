@@ -131,6 +131,15 @@ ContactSettings withoutAdhesion(ContactSettings s)
 }
 
 
+ContactSettings mirrorSettings()
+{
+    ContactSettings s;
+    s.normal = {normal::Hertz::model, {{"restitution", 1}}};
+    s.surfaceEnergy = 0;
+    return s;
+}
+
+
 std::unique_ptr<ContactLaw> newContactLaw(const ContactSettings& s)
 {
     checkPart("normal", s.normal);

@@ -26,4 +26,7 @@ const std::vector<PartEntry>& contactModelTable();
 //- What is left of an elastic law at zero surface energy: Hertz, and nothing resists rolling
 ContactSettings withoutAdhesion(ContactSettings settings);
 
+//- Hertz without a dashpot, and nothing else
+ContactSettings mirrorSettings();
+
 }
