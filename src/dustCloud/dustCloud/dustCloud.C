@@ -33,8 +33,6 @@ License
 #include "sumOverRanks.H"
 #include "untrapped.H"
 
-#include "wallPolyPatch.H"
-
 #include "InjectionModelList.H"
 #include "DispersionModel.H"
 #include "PatchInteractionModel.H"
@@ -350,6 +348,7 @@ Foam::dustCloud::dustCloud
     (
         patchWalls::New(mesh_, particleProperties_, d.properties.table())
     );
+    d.wallPatches = patchWalls::patches(walls, mesh_);
 
     scalar wanted = 1;
     try
@@ -363,7 +362,7 @@ Foam::dustCloud::dustCloud
         (
             new dem::System
             (
-                d.properties.table(),
+                patchWalls::table(walls, d.properties.table()),
                 d.properties.time(),
                 d.comm.get()
             )
@@ -378,14 +377,6 @@ Foam::dustCloud::dustCloud
     catch (const dem::inputError& e)
     {
         dustProperties::error(particleProperties_, e);
-    }
-
-    for (const polyPatch& pp : mesh_.boundaryMesh())
-    {
-        if (isA<wallPolyPatch>(pp))
-        {
-            d.wallPatches.append(pp.index());
-        }
     }
 
     decideCoupling();

@@ -88,7 +88,7 @@ void Foam::dustKeywords::addCaseRows(std::vector<row>& t)
         {"dustMaterial", "", name, "-", "the one with a density", "",
             "material of particles whose injector names none"},
         {"patchMaterials", "", block, "-", "none", "",
-            "materials of the wall patches"},
+            "materials of the wall patches; mirrors (symmetry, empty) take none"},
         {"patchMaterials/*", "", name, "-", "none", "",
             "a material; the patch by its name or a pattern"},
         {"patchCurvature", "", block, "-", "none", "",

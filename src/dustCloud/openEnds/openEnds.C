@@ -26,6 +26,22 @@ License
 #include "PstreamReduceOps.H"
 #include "wallPolyPatch.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- A wall, or a mirror (patchWalls.H): what there is else is coupled
+static bool stops(const polyPatch& pp)
+{
+    return
+        isA<wallPolyPatch>(pp)
+     || (!pp.coupled() && polyPatch::constraintType(pp.type()));
+}
+
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::openEnds::nearest
@@ -86,7 +102,7 @@ Foam::labelList Foam::openEnds::patches
     labelList best(n, -1);
     for (const polyPatch& pp : mesh_.boundaryMesh())
     {
-        if (!pp.coupled() && !isA<wallPolyPatch>(pp))
+        if (!pp.coupled() && !stops(pp))
         {
             nearest(pp, points, range, true, open, best);
         }
@@ -105,7 +121,7 @@ Foam::labelList Foam::openEnds::patches
     labelList unused(n, -1);
     for (const polyPatch& pp : mesh_.boundaryMesh())
     {
-        if (isA<wallPolyPatch>(pp))
+        if (stops(pp))
         {
             nearest(pp, points, range, false, wall, unused);
         }

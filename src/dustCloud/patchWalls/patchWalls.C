@@ -23,9 +23,13 @@ License
 #include "dustProperties.H"
 #include "patchCurvature.H"
 #include "cyclicPolyPatch.H"
+#include "emptyPolyPatch.H"
 #include "processorCyclicPolyPatch.H"
-#include "wallPolyPatch.H"
 #include "processorPolyPatch.H"
+#include "symmetryPlanePolyPatch.H"
+#include "symmetryPolyPatch.H"
+#include "wallPolyPatch.H"
+#include "wedgePolyPatch.H"
 #include "Pstream.H"
 
 #include <algorithm>
@@ -52,6 +56,201 @@ static int compare(const point& a, const point& b)
         }
     }
     return 0;
+}
+
+
+//- Which patches are walls to the dust, and which are mirrors.
+//  FatalError on what is neither these, nor open, nor coupled by a
+//  translation
+static void sort
+(
+    const polyBoundaryMesh& patches,
+    labelList& walls,
+    labelList& mirrors
+)
+{
+    for (const polyPatch& pp : patches)
+    {
+        if (isA<wallPolyPatch>(pp))
+        {
+            walls.append(pp.index());
+        }
+        else if
+        (
+            isA<symmetryPlanePolyPatch>(pp)
+         || isA<symmetryPolyPatch>(pp)
+         || isA<emptyPolyPatch>(pp)
+        )
+        {
+            mirrors.append(pp.index());
+        }
+        else if (isA<wedgePolyPatch>(pp))
+        {
+            FatalErrorInFunction
+                << "Patch " << pp.name() << " is of type wedge: towards the"
+                << " axis the wedge is narrower than the dust, which cannot"
+                << " come nearer to it than its radius over the sine of half"
+                << " the angle" << nl
+                << "    allowed: a full three-dimensional mesh; or a sector of"
+                << " it, a quarter say, between patches of type symmetryPlane"
+                << exit(FatalError);
+        }
+        else if
+        (
+            polyPatch::constraintType(pp.type())
+         && !isA<processorPolyPatch>(pp)
+         && pp.type() != cyclicPolyPatch::typeName
+        )
+        {
+            FatalErrorInFunction
+                << "Patch " << pp.name() << " is of type " << pp.type()
+                << ", which is not supported by the contact engine:"
+                << " a particle there would not feel those on the other side."
+                << nl << "    allowed: wall, patch, cyclic, symmetryPlane,"
+                << " symmetry, empty" << exit(FatalError);
+        }
+    }
+}
+
+
+static wordList names(const polyBoundaryMesh& patches, const labelUList& which)
+{
+    wordList result;
+    for (const label patchi : which)
+    {
+        result.append(patches[patchi].name());
+    }
+    return result;
+}
+
+
+//- Entries of patchMaterials that are nobody's
+static void checkEntries
+(
+    const dictionary& patchMaterials,
+    const wordList& wallNames
+)
+{
+    for (const entry& e : patchMaterials)
+    {
+        const keyType& key = e.keyword();
+        bool used = false;
+
+        for (const word& name : wallNames)
+        {
+            used = used || key.match(name, key.isLiteral());
+        }
+        if (!used)
+        {
+            dustProperties::error
+            (
+                patchMaterials,
+                key,
+                "is not a patch of type wall in this mesh",
+                dustProperties::listed(wallNames)
+            );
+        }
+    }
+}
+
+
+//- Wall patches with their materials
+static void addPatches
+(
+    dem::Walls& walls,
+    const wordList& wallNames,
+    const dictionary& properties,
+    const dem::MaterialTable& table
+)
+{
+    const dictionary& patchMaterials = properties.subDict("patchMaterials");
+    checkEntries(patchMaterials, wallNames);
+
+    wordList materials;
+    for (const dem::Material& m : table.materials())
+    {
+        materials.append(word(m.name));
+    }
+    const string materialNames(dustProperties::listed(materials));
+
+    for (const word& name : wallNames)
+    {
+        if (!patchMaterials.found(name, keyType::REGEX))
+        {
+            dustProperties::error
+            (
+                properties,
+                "patchMaterials",
+                "wall patch '" + name + "' has no material",
+                name + " followed by one of " + materialNames
+            );
+        }
+
+        const word material
+        (
+            patchMaterials.get<word>(name, keyType::REGEX)
+        );
+
+        dem::WallPatch patch;
+        patch.name = name;
+        try
+        {
+            patch.material = table.index(material);
+        }
+        catch (const dem::inputError&)
+        {
+            dustProperties::error
+            (
+                patchMaterials,
+                name,
+                "unknown material '" + material + "'",
+                materialNames
+            );
+        }
+        walls.patches.push_back(patch);
+    }
+}
+
+
+//- Triangles of the last patches of the walls, which are these of the mesh;
+//  returns how many have no area and are left out
+static label addTriangles
+(
+    dem::Walls& walls,
+    const polyMesh& mesh,
+    const labelList& patchIDs
+)
+{
+    const label first = label(walls.patches.size()) - patchIDs.size();
+    label nDropped = 0;
+
+    for (const patchWalls::triangle& t : patchWalls::gather(mesh, patchIDs))
+    {
+        const vector e1 = t.vertices[1] - t.vertices[0];
+        const vector e2 = t.vertices[2] - t.vertices[0];
+        const vector e3 = t.vertices[2] - t.vertices[1];
+        const scalar longest = max(magSqr(e1), max(magSqr(e2), magSqr(e3)));
+
+        // height over longest edge
+        if (mag(e1 ^ e2) <= 1e-8*longest)
+        {
+            ++nDropped;
+            continue;
+        }
+
+        // OpenFOAM's faces point out of the mesh, the DEM's to the particles
+        walls.triangles.push_back
+        (
+            dem::WallTriangle
+            {
+                toVec3(t.vertices[0]),
+                toVec3(t.vertices[2]),
+                toVec3(t.vertices[1]),
+                int(first + patchIDs.find(t.patch))
+            }
+        );
+    }
+    return nDropped;
 }
 
 } // End namespace Foam
@@ -233,144 +432,81 @@ dem::Walls Foam::patchWalls::New
     const dem::MaterialTable& table
 )
 {
-    const polyBoundaryMesh& patches = mesh.boundaryMesh();
-    const dictionary& patchMaterials = properties.subDict("patchMaterials");
+    labelList wallPatches;
+    labelList mirrors;
+    sort(mesh.boundaryMesh(), wallPatches, mirrors);
 
     dem::Walls walls;
-    labelList wallPatches;
-    labelList wallIndex(patches.size(), -1);
-    wordList wallNames;
-
-    for (const polyPatch& pp : patches)
-    {
-        if (isA<wallPolyPatch>(pp))
-        {
-            wallIndex[pp.index()] = wallPatches.size();
-            wallPatches.append(pp.index());
-            wallNames.append(pp.name());
-        }
-        else if
-        (
-            polyPatch::constraintType(pp.type())
-         && !isA<processorPolyPatch>(pp)
-         && pp.type() != cyclicPolyPatch::typeName
-        )
-        {
-            FatalErrorInFunction
-                << "Patch " << pp.name() << " is of type " << pp.type()
-                << ", which is not supported by the contact engine yet:"
-                << " a particle there would not feel those on the other side."
-                << nl << "    Use wall and patch only, and a full"
-                << " three-dimensional mesh." << exit(FatalError);
-        }
-    }
-
-    // Entries that are nobody's
-    for (const entry& e : patchMaterials)
-    {
-        const keyType& key = e.keyword();
-        bool used = false;
-
-        for (const word& name : wallNames)
-        {
-            used = used || key.match(name, key.isLiteral());
-        }
-        if (!used)
-        {
-            dustProperties::error
-            (
-                patchMaterials,
-                key,
-                "is not a patch of type wall in this mesh",
-                dustProperties::listed(wallNames)
-            );
-        }
-    }
-
-    wordList materials;
-    for (const dem::Material& m : table.materials())
-    {
-        materials.append(word(m.name));
-    }
-    const string materialNames(dustProperties::listed(materials));
-
-    for (const word& name : wallNames)
-    {
-        if (!patchMaterials.found(name, keyType::REGEX))
-        {
-            dustProperties::error
-            (
-                properties,
-                "patchMaterials",
-                "wall patch '" + name + "' has no material",
-                name + " followed by one of " + materialNames
-            );
-        }
-
-        const word material
-        (
-            patchMaterials.get<word>(name, keyType::REGEX)
-        );
-
-        dem::WallPatch patch;
-        patch.name = name;
-        try
-        {
-            patch.material = table.index(material);
-        }
-        catch (const dem::inputError&)
-        {
-            dustProperties::error
-            (
-                patchMaterials,
-                name,
-                "unknown material '" + material + "'",
-                materialNames
-            );
-        }
-        walls.patches.push_back(patch);
-    }
-
-    label nDropped = 0;
-
-    for (const triangle& t : gather(mesh, wallPatches))
-    {
-        const vector e1 = t.vertices[1] - t.vertices[0];
-        const vector e2 = t.vertices[2] - t.vertices[0];
-        const vector e3 = t.vertices[2] - t.vertices[1];
-        const scalar longest = max(magSqr(e1), max(magSqr(e2), magSqr(e3)));
-
-        // height over longest edge
-        if (mag(e1 ^ e2) <= 1e-8*longest)
-        {
-            ++nDropped;
-            continue;
-        }
-
-        // OpenFOAM's faces point out of the mesh, the DEM's to the particles
-        walls.triangles.push_back
-        (
-            dem::WallTriangle
-            {
-                toVec3(t.vertices[0]),
-                toVec3(t.vertices[2]),
-                toVec3(t.vertices[1]),
-                int(wallIndex[t.patch])
-            }
-        );
-    }
+    addPatches
+    (
+        walls,
+        names(mesh.boundaryMesh(), wallPatches),
+        properties,
+        table
+    );
+    const label nDropped = addTriangles(walls, mesh, wallPatches);
 
     Info<< "Walls: " << walls.triangles.size() << " triangles of "
-        << wallNames.size() << " patches";
+        << wallPatches.size() << " patches";
     if (nDropped)
     {
         Info<< " (" << nDropped << " without area left out)";
     }
     Info<< nl;
     patchCurvature::set(walls, properties);
+
+    // Behind them: without curvature, and nobody asks for their material
+    for (const label patchi : mirrors)
+    {
+        const polyPatch& pp = mesh.boundaryMesh()[patchi];
+        walls.patches.push_back({pp.name(), dem::mirror});
+        Info<< "  patch " << pp.name() << " (" << pp.type() << "): mirror for"
+            << " the dust, which touches it without friction, adhesion, loss"
+            << " or deposit";
+        if (isA<emptyPolyPatch>(pp))
+        {
+            Info<< nl << "    The gas is that of two dimensions; the dust moves"
+                << " in three between front and back. OpenFOAM's injectors"
+                << " start it in the middle, dustPatchInjection everywhere.";
+        }
+        Info<< nl;
+    }
+    addTriangles(walls, mesh, mirrors);
     Info<< endl;
 
     return walls;
+}
+
+
+Foam::labelList Foam::patchWalls::patches
+(
+    const dem::Walls& walls,
+    const polyMesh& mesh
+)
+{
+    labelList result;
+    for (const dem::WallPatch& patch : walls.patches)
+    {
+        result.append(mesh.boundaryMesh().findPatchID(patch.name));
+    }
+    return result;
+}
+
+
+dem::MaterialTable Foam::patchWalls::table
+(
+    const dem::Walls& walls,
+    dem::MaterialTable table
+)
+{
+    for (const dem::WallPatch& patch : walls.patches)
+    {
+        if (patch.material == dem::mirror)
+        {
+            table.addMirrors();
+        }
+    }
+    return table;
 }
 
 
