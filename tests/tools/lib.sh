@@ -13,6 +13,7 @@
 #   expect_false NAME COMMAND [ARG ...]    COMMAND fails
 #   expect_in NAME FILE REGEX              a line of FILE matches (grep -E)
 #   figure NAME VALUE [UNIT]               a number to show, not judged
+#   set_ FILE ENTRY VALUE                  of a dictionary
 #   die MESSAGE                            stop here: failed
 
 set -euo pipefail
@@ -90,6 +91,8 @@ figure()
 {
     echo "figure $1: ${*:2}"
 }
+
+set_() { foamDictionary "$1" -entry "$2" -set "$3" > /dev/null || die "cannot set $2 in $1"; }
 
 die()
 {

@@ -2,8 +2,6 @@
 # For scripts that have sourced lib.sh
 tracers=$DUSTFOAM_DIR/tests/verification/tracers
 
-set_() { foamDictionary "$1" -entry "$2" -set "$3" > /dev/null; }
-
 # program LOG CASE COMMAND...
 program()
 {
