@@ -148,6 +148,22 @@ void Island::beginContacts(Changes& changes, StepReport& report)
 }
 
 
+WallHit Island::hit(const Touch& touch) const
+{
+    const std::size_t i = std::size_t(touch.i);
+    const Body& a = state_.bodies[i];
+    WallHit h;
+    h.id = state_.particles[i].id;
+    h.patch = touch.patch;
+    h.time = control_.now();
+    h.x = vec(a.x);
+    h.v = vec(a.v);
+    h.omega = vec(a.w);
+    h.n = touch.n;
+    return h;
+}
+
+
 void Island::noteTouches(const std::vector<Touch>& touches, StepReport& report) const
 {
     for (const Touch& t : touches)
@@ -157,7 +173,11 @@ void Island::noteTouches(const std::vector<Touch>& touches, StepReport& report) 
         if (t.j < 0)
         {
             speed = vec(a.v).dot(t.n);
-            report.followerTouches += !env_.mirrors(t.patch) && follows(state_, t.i, t.n);
+            if (!env_.mirrors(t.patch))
+            {
+                report.followerTouches += follows(state_, t.i, t.n);
+                if (env_.walls.walls().reportHits) report.wallHits.push_back(hit(t));
+            }
         }
         else
         {

@@ -47,6 +47,7 @@ public:
 
     //- Of the run [s]
     double left() const { return run_ - done_; }
+    double now() const { return time_ + done_; }
 
     //- Choose a step
     Step next

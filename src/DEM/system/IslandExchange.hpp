@@ -9,6 +9,7 @@
 #include "parallel/Communicator.hpp"
 #include "system/Component.hpp"
 #include "system/Reach.hpp"
+#include "system/StepReport.hpp"
 
 #include <map>
 #include <unordered_map>
@@ -37,6 +38,7 @@ struct Member
     GasExchange exchange = {};
     double delay = 0;           // it enters that long after the particle step has begun [s];
                                 // negative, when moved too: ParticleStore::delay
+    std::vector<WallHit> hits;  // when moved
 
     template<class S, class F>
     static void fields(S& s, F& f)
@@ -59,6 +61,7 @@ struct Member
         f(s.index);
         f(s.exchange);
         f(s.delay);
+        f(s.hits);
     }
 };
 

@@ -47,6 +47,7 @@ public:
 
 private:
 
+    static void shareHits(IslandMembers& island);
     bool flyTogether(IslandMembers& island, double dt);
     bool undisturbed
     (

@@ -183,8 +183,16 @@ bool ParticleStep::tryToMove
         return false;
     }
     tried_.clear();
-    for (const Member* m : own) takeBack(*m);
     report.add(moved);
+    for (const Member* m : own)
+    {
+        takeBack(*m);
+        for (WallHit h : m->hits)
+        {
+            h.index = m->index;
+            report.wallHits.push_back(h);
+        }
+    }
     report.secondsSearch += lap();
     return true;
 }

@@ -1,12 +1,38 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "particles/vector.hpp"
 #include "system/EnergyLedger.hpp"
 
 #include <cstdint>
+#include <vector>
 
 namespace dem
 {
+
+//- A contact with a wall, no mirror, that has formed
+struct WallHit
+{
+    std::int64_t id = 0;        // of the particle
+    std::size_t index = 0;      // of the same, on its rank
+    int patch = 0;              // index into Walls::patches
+    double time = 0;            // [s]
+    Vec3 x, v, omega;           // as it arrives: centre [m], velocity [m/s], spin [rad/s]
+    Vec3 n;                     // into the wall
+
+    template<class S, class F>
+    static void fields(S& s, F& f)
+    {
+        f(s.id);
+        f(s.index);
+        f(s.patch);
+        f(s.time);
+        f(s.x);
+        f(s.v);
+        f(s.omega);
+        f(s.n);
+    }
+};
 
 //- What one advance() did, on this rank. Counts add over steps and ranks.
 struct StepReport
@@ -36,6 +62,7 @@ struct StepReport
     double maxStepOverBound = 0;
     Sum energyRemovedByRest;            // [J]
     EnergyLedger energy;                // timeIntegration { energyLedger on; } only
+    std::vector<WallHit> wallHits;      // where Walls::reportHits; of this rank's particles
     double secondsSearch = 0;           // broad phase, ghosts, islands
     double secondsContact = 0;          // integration of islands
     double secondsFlight = 0;           // closed-form flight

@@ -367,6 +367,8 @@ Foam::dustCloud::dustCloud
                 d.comm.get()
             )
         );
+        walls.reportHits = functions().size();
+        d.hits.reset(new wallHits(mesh_));
         d.system->setWalls(std::move(walls));
         d.periodic = patchWalls::periodic(mesh_);
         if (d.periodic.on())

@@ -35,21 +35,6 @@ License
 #include <algorithm>
 #include <cmath>
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-
-//- Tracked place, which says in which cell a particle is: on a face at the
-//  end of the mesh of a rank, OpenFOAM finds no place for it
-static point justInside(const polyMesh& mesh, const point& x, const label celli)
-{
-    return x + 1e-7*(mesh.cellCentres()[celli] - x);
-}
-
-} // End namespace Foam
-
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::dustCloud::bringUp(dustParcel& p)
@@ -286,6 +271,10 @@ void Foam::dustCloud::settleOutside(const UList<dustParcel*>& outside)
             ++dem_->offMesh;
             continue;
         }
+        if (functions().size())
+        {
+            dem_->hits->add(p, dem_->now, patchi, p.x());
+        }
         noteEscape(p, patchi);
         giveLast(p);
         deleteParticle(p);
@@ -344,7 +333,11 @@ void Foam::dustCloud::handOver
         for (const label celli : cells)
         {
             dustParcel* pPtr = new dustParcel(mesh_, fromRank);
-            pPtr->relocate(justInside(mesh_, pPtr->x(), celli), celli);
+            pPtr->relocate
+            (
+                startCells::justInside(mesh_, pPtr->x(), celli),
+                celli
+            );
             pPtr->moved() = false;
             addParticle(pPtr);
         }
@@ -381,10 +374,62 @@ void Foam::dustCloud::settleStarts(const UList<dustParcel*>& starting)
         )
         {
             const label celli = cells.cell()[i];
-            between[i]->relocate(justInside(mesh_, places[i], celli), celli);
+            between[i]->relocate
+            (
+                startCells::justInside(mesh_, places[i], celli),
+                celli
+            );
         }
     }
     handOver(between, cells.owner(), cells.cell());
+}
+
+
+void Foam::dustCloud::noteHits(const std::vector<dem::WallHit>& hits)
+{
+    demData& d = *dem_;
+    for (const dem::WallHit& h : hits)
+    {
+        dustParcel p(d.parcels[h.index]);
+        p.U() = toVector(h.v);
+        p.omega() = toVector(h.omega);
+        p.setX(toVector(d.periodic.wrapped(h.x)));
+        d.hits->add
+        (
+            p,
+            h.time,
+            d.wallPatches[h.patch],
+            p.x() + 0.5*p.d()*toVector(h.n)
+        );
+    }
+}
+
+
+void Foam::dustCloud::tellOfHits()
+{
+    if (!functions().size())
+    {
+        return;
+    }
+    for (dustParcel& p : dem_->hits->take())
+    {
+        const polyPatch& pp = mesh_.boundaryMesh()[p.patch()];
+        #if OPENFOAM >= 2312
+        dustParcel::trackingData td(*this);
+        const bool keep = functions().postPatch(p, pp, td);
+        #else
+        bool keep = true;
+        functions().postPatch(p, pp, keep);
+        #endif
+        if (!keep)
+        {
+            FatalErrorInFunction
+                << "A cloud function wants to remove particle " << p.origProc()
+                << ' ' << p.origId() << " that has touched patch "
+                << pp.name() << ", which is not supported"
+                << exit(FatalError);
+        }
+    }
 }
 
 
@@ -435,7 +480,13 @@ void Foam::dustCloud::motion(dustParcel::trackingData& td)
             d.forceSeconds += forcing.seconds();
 
             const stopwatch moving;
-            d.gasStep.add(d.system->advance(dt, d.step.left(), begins));
+            dem::StepReport report
+            (
+                d.system->advance(dt, d.step.left(), begins)
+            );
+            noteHits(report.wallHits);
+            report.wallHits.clear();
+            d.gasStep.add(report);
             d.demSeconds += moving.seconds();
         }
         catch (const dem::numericalError& e)
@@ -459,6 +510,7 @@ void Foam::dustCloud::motion(dustParcel::trackingData& td)
     }
     d.totals.add(d.gasStep);
     countEscapes();
+    tellOfHits();
 }
 
 
