@@ -23,6 +23,7 @@ License
 #include "Cloud.H"
 #include "IOstreams.H"
 #include "processorPolyPatch.H"
+#include "wallPolyPatch.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -170,6 +171,14 @@ Foam::dustParcel::dustParcel(const dustParcel& p, const polyMesh& mesh)
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::dustParcel::endsAt(const polyPatch& pp)
+{
+    return
+        isA<wallPolyPatch>(pp)
+     || (!pp.coupled() && polyPatch::constraintType(pp.type()));
+}
+
 
 void Foam::dustParcel::displace(const scalar dt)
 {

@@ -22,25 +22,9 @@ License
 #include "openEnds.H"
 
 #include "boundBox.H"
+#include "dustParcel.H"
 #include "SubField.H"
 #include "PstreamReduceOps.H"
-#include "wallPolyPatch.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-
-//- A wall, or a mirror (patchWalls.H): what there is else is coupled
-static bool stops(const polyPatch& pp)
-{
-    return
-        isA<wallPolyPatch>(pp)
-     || (!pp.coupled() && polyPatch::constraintType(pp.type()));
-}
-
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -102,7 +86,7 @@ Foam::labelList Foam::openEnds::patches
     labelList best(n, -1);
     for (const polyPatch& pp : mesh_.boundaryMesh())
     {
-        if (!pp.coupled() && !stops(pp))
+        if (!pp.coupled() && !dustParcel::endsAt(pp))
         {
             nearest(pp, points, range, true, open, best);
         }
@@ -121,7 +105,7 @@ Foam::labelList Foam::openEnds::patches
     labelList unused(n, -1);
     for (const polyPatch& pp : mesh_.boundaryMesh())
     {
-        if (stops(pp))
+        if (dustParcel::endsAt(pp))
         {
             nearest(pp, points, range, false, wall, unused);
         }
