@@ -148,11 +148,11 @@ void Island::beginContacts(Changes& changes, StepReport& report)
 }
 
 
-WallHit Island::hit(const Touch& touch) const
+WallImpact Island::impact(const Touch& touch) const
 {
     const std::size_t i = std::size_t(touch.i);
     const Body& a = state_.bodies[i];
-    WallHit h;
+    WallImpact h;
     h.id = state_.particles[i].id;
     h.patch = touch.patch;
     h.time = control_.now();
@@ -176,7 +176,7 @@ void Island::noteTouches(const std::vector<Touch>& touches, StepReport& report) 
             if (!env_.mirrors(t.patch))
             {
                 report.followerTouches += follows(state_, t.i, t.n);
-                if (env_.walls.walls().reportHits) report.wallHits.push_back(hit(t));
+                if (env_.walls.walls().reportImpacts) report.wallImpacts.push_back(impact(t));
             }
         }
         else

@@ -109,7 +109,7 @@ private:
     Changes update(StepReport& report);
     void endContacts(Changes& changes, StepReport& report);
     void beginContacts(Changes& changes, StepReport& report);
-    WallHit hit(const Touch& touch) const;
+    WallImpact impact(const Touch& touch) const;
     void noteTouches(const std::vector<Touch>& touches, StepReport& report) const;
     void wake(std::vector<int> woken, StepReport& report);
     bool findAtRim(const std::vector<int>& woken);

@@ -38,7 +38,7 @@ struct Member
     GasExchange exchange = {};
     double delay = 0;           // it enters that long after the particle step has begun [s];
                                 // negative, when moved too: ParticleStore::delay
-    std::vector<WallHit> hits;  // when moved
+    std::vector<WallImpact> impacts;  // when moved
 
     template<class S, class F>
     static void fields(S& s, F& f)
@@ -61,7 +61,7 @@ struct Member
         f(s.index);
         f(s.exchange);
         f(s.delay);
-        f(s.hits);
+        f(s.impacts);
     }
 };
 

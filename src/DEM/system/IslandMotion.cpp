@@ -53,20 +53,20 @@ void IslandMotion::move(IslandMembers& island, const Span& span, bool keepExchan
     {
         island.outran = island.outran || m.outran > 0 || m.woke;
     }
-    shareHits(island);
+    shareImpacts(island);
 }
 
 
 //- Each goes back with its particle
-void IslandMotion::shareHits(IslandMembers& island)
+void IslandMotion::shareImpacts(IslandMembers& island)
 {
-    std::vector<WallHit> hits;
-    hits.swap(island.report.wallHits);
-    for (const WallHit& h : hits)
+    std::vector<WallImpact> impacts;
+    impacts.swap(island.report.wallImpacts);
+    for (const WallImpact& h : impacts)
     {
         const auto before = [](const Member& m, std::int64_t id) { return m.p.id < id; };
         std::lower_bound(island.members.begin(), island.members.end(), h.id, before)
-            ->hits.push_back(h);
+            ->impacts.push_back(h);
     }
 }
 

@@ -47,7 +47,7 @@ public:
 
 private:
 
-    static void shareHits(IslandMembers& island);
+    static void shareImpacts(IslandMembers& island);
     bool flyTogether(IslandMembers& island, double dt);
     bool undisturbed
     (

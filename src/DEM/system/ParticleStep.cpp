@@ -187,10 +187,10 @@ bool ParticleStep::tryToMove
     for (const Member* m : own)
     {
         takeBack(*m);
-        for (WallHit h : m->hits)
+        for (WallImpact h : m->impacts)
         {
             h.index = m->index;
-            report.wallHits.push_back(h);
+            report.wallImpacts.push_back(h);
         }
     }
     report.secondsSearch += lap();

@@ -30,7 +30,7 @@ void StepReport::add(const StepReport& o)
     maxStepOverBound = std::max(maxStepOverBound, o.maxStepOverBound);
     energyRemovedByRest += o.energyRemovedByRest;
     energy += o.energy;
-    wallHits.insert(wallHits.end(), o.wallHits.begin(), o.wallHits.end());
+    wallImpacts.insert(wallImpacts.end(), o.wallImpacts.begin(), o.wallImpacts.end());
     secondsSearch += o.secondsSearch;
     secondsContact += o.secondsContact;
     secondsFlight += o.secondsFlight;

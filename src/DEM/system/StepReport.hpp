@@ -11,7 +11,7 @@ namespace dem
 {
 
 //- A contact with a wall, no mirror, that has formed
-struct WallHit
+struct WallImpact
 {
     std::int64_t id = 0;        // of the particle
     std::size_t index = 0;      // of the same, on its rank
@@ -62,7 +62,7 @@ struct StepReport
     double maxStepOverBound = 0;
     Sum energyRemovedByRest;            // [J]
     EnergyLedger energy;                // timeIntegration { energyLedger on; } only
-    std::vector<WallHit> wallHits;      // where Walls::reportHits; of this rank's particles
+    std::vector<WallImpact> wallImpacts;      // where Walls::reportImpacts; of this rank's particles
     double secondsSearch = 0;           // broad phase, ghosts, islands
     double secondsContact = 0;          // integration of islands
     double secondsFlight = 0;           // closed-form flight

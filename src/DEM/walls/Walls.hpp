@@ -52,7 +52,7 @@ struct Walls
     std::vector<WallCylinder> cylinders;    // infinite; inside: the particles are within
     std::vector<WallSphere> spheres;
     double featureAngle = 30;               // [deg] an edge sharper than this is a feature
-    bool reportHits = false;                // list StepReport::wallHits
+    bool reportImpacts = false;             // list StepReport::wallImpacts
 
     const std::string& patchName(int patch) const { return patches[std::size_t(patch)].name; }
     bool mirrors(int patch) const { return patches[std::size_t(patch)].material == mirror; }

@@ -219,7 +219,16 @@ void Foam::dustCloud::decideCoupling()
     d.massLoadingLimit =
         dustKeywords::numberOf(dict, "couplingMassLoading");
 
-    if (d.coupling == "auto")
+    // A restart must not change what the run is
+    const dictionary before(outputProperties_.subOrEmptyDict("ledger"));
+    const string asBefore("auto: as before the restart");
+
+    if (d.coupling == "auto" && before.found("coupling"))
+    {
+        twoWay_ = before.get<word>("coupling") == "twoWay";
+        d.couplingReason = asBefore;
+    }
+    else if (d.coupling == "auto")
     {
         const scalar loading = expectedMassLoading();
         twoWay_ = loading > d.massLoadingLimit;
@@ -241,7 +250,12 @@ void Foam::dustCloud::decideCoupling()
     );
     const scalar spread = mag(spreads);
 
-    if (d.gas == "auto")
+    if (d.gas == "auto" && !twoWay_ && before.found("gas"))
+    {
+        gasFrozen_ = before.get<word>("gas") == "frozen";
+        d.gasReason = asBefore;
+    }
+    else if (d.gas == "auto")
     {
         gasFrozen_ = !twoWay_ && spread > 1e-6*d.gasSpeed;
         d.gasReason =
@@ -367,7 +381,7 @@ Foam::dustCloud::dustCloud
                 d.comm.get()
             )
         );
-        walls.reportHits = functions().size();
+        walls.reportImpacts = functions().size();
         d.hits.reset(new wallHits(mesh_));
         d.system->setWalls(std::move(walls));
         d.periodic = patchWalls::periodic(mesh_);

@@ -151,6 +151,8 @@ void Foam::dustCloud::storeCounters()
     ledger.set("refused", refused_.count);
     ledger.set("refusedMass", refused_.mass);
     ledger.set("nextId", nextId_);
+    ledger.set("coupling", word(twoWay_ ? "twoWay" : "oneWay"));
+    ledger.set("gas", word(gasFrozen_ ? "frozen" : "solved"));
     dem_->step.store(ledger, gasState());
     stiffening::store
     (

@@ -385,10 +385,10 @@ void Foam::dustCloud::settleStarts(const UList<dustParcel*>& starting)
 }
 
 
-void Foam::dustCloud::noteHits(const std::vector<dem::WallHit>& hits)
+void Foam::dustCloud::noteHits(const std::vector<dem::WallImpact>& hits)
 {
     demData& d = *dem_;
-    for (const dem::WallHit& h : hits)
+    for (const dem::WallImpact& h : hits)
     {
         dustParcel p(d.parcels[h.index]);
         p.U() = toVector(h.v);
@@ -484,8 +484,8 @@ void Foam::dustCloud::motion(dustParcel::trackingData& td)
             (
                 d.system->advance(dt, d.step.left(), begins)
             );
-            noteHits(report.wallHits);
-            report.wallHits.clear();
+            noteHits(report.wallImpacts);
+            report.wallImpacts.clear();
             d.gasStep.add(report);
             d.demSeconds += moving.seconds();
         }

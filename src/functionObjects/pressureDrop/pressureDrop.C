@@ -116,14 +116,14 @@ bool Foam::functionObjects::pressureDrop::read(const dictionary& dict)
 
 bool Foam::functionObjects::pressureDrop::write()
 {
-    if (!mesh_.foundObject<volScalarField>("p"))
+    const dustCloud& cloud = mesh_.lookupObject<dustCloud>(cloudName_);
+    if (cloud.gasFrozen())
     {
         FatalErrorInFunction
             << name() << ": there is no pressure, as the gas is not solved"
             << nl << "    allowed: gas solved in constant/dustProperties"
             << exit(FatalError);
     }
-    const dustCloud& cloud = mesh_.lookupObject<dustCloud>(cloudName_);
     const scalar rho =
         gAverage(mesh_.lookupObject<volScalarField>("rho").primitiveField());
     const scalar drop = rho*(mean(from_) - mean(to_));

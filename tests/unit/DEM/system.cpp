@@ -242,25 +242,25 @@ TEST(system, aChainOfCollisionsInACrowd)
 
 
 //- One flies alone, one enters within the step; told once, as they arrive, and only if asked for
-TEST(system, hitsOfWallsAreTold)
+TEST(system, impactsOnWallsAreTold)
 {
     const double r = 1e-6;
     const Law law = scene::stickyLaw();
     for (const bool asked : {true, false})
     {
         dem::Walls walls = scene::floor();
-        walls.reportHits = asked;
+        walls.reportImpacts = asked;
         dem::System system(law.table(), {});
         system.setWalls(walls);
         system.setTime(5);
         const Vec3 v0(0.1, 0, -0.5), v1(0, 0.2, -0.5);
         system.add(sphere(law, 7, r, Vec3(9*r, 0, 1.4*r), v0));
         system.add(sphere(law, 3, r, Vec3(0, 0, 1.5*r), v1), 2e-7);
-        std::vector<dem::WallHit> hits;
+        std::vector<dem::WallImpact> hits;
         for (int k = 0; k < 4; ++k)
         {
             const dem::StepReport report = system.advance(1e-6);
-            hits.insert(hits.end(), report.wallHits.begin(), report.wallHits.end());
+            hits.insert(hits.end(), report.wallImpacts.begin(), report.wallImpacts.end());
         }
         ASSERT_EQ(hits.size(), asked ? 2u : 0u);
         if (!asked) continue;
@@ -273,7 +273,7 @@ TEST(system, hitsOfWallsAreTold)
         EXPECT_EQ(hits[1].index, 1u);
         EXPECT_EQ(hits[1].v, v1);
         EXPECT_TRUE(near(hits[1].time, 5 + 1.2e-6, 1e-9));
-        for (const dem::WallHit& h : hits)
+        for (const dem::WallImpact& h : hits)
         {
             EXPECT_EQ(h.patch, 0);
             EXPECT_EQ(h.omega, Vec3::Zero());

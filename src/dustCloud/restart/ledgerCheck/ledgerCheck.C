@@ -138,6 +138,8 @@ static const std::vector<keys::row>& ledgerRows()
         rowsOf("-", keys::number, "none", ">0 <=1", {"chi"}),
         rowsOf("-", keys::name, "", "", {"particleStep/gas"}),
         rowsOf("-", keys::name, "none", "", {"ratio"}),
+        rowsOf("-", keys::name, "none", "oneWay twoWay", {"coupling"}),
+        rowsOf("-", keys::name, "none", "frozen solved", {"gas"}),
         rowsOf("-", keys::block, "", "", {"ofMaterial", "escaped"}),
         rowsOf
         (
