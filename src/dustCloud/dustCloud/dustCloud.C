@@ -50,6 +50,29 @@ namespace Foam
 }
 
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- OpenFOAM's own exchange is not used; ours and the forces need schemes.
+//  cloudSolution has no other door than its dictionary
+static void ownExchange(cloudSolution& cloud, const dictionary& forces)
+{
+    dictionary& solution = const_cast<dictionary&>(cloud.dict());
+    solution.set("coupled", "false");
+    cloud.read();
+
+    modelTable::addSchemes
+    (
+        forces,
+        solution.subDict("interpolationSchemes")
+    );
+}
+
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 const Foam::word& Foam::dustCloud::checkInput
@@ -287,17 +310,7 @@ void Foam::dustCloud::decideCoupling()
         d.step.end();
     }
 
-    // OpenFOAM's own exchange is not used. cloudSolution has no other door
-    // than its dictionary.
-    dictionary& solution = const_cast<dictionary&>(solution_.dict());
-    solution.set("coupled", "false");
-    solution_.read();
-
-    modelTable::addSchemes
-    (
-        subModelProperties_.subDict("particleForces"),
-        solution.subDict("interpolationSchemes")
-    );
+    ownExchange(solution_, subModelProperties_.subDict("particleForces"));
 }
 
 
@@ -381,8 +394,6 @@ Foam::dustCloud::dustCloud
                 d.comm.get()
             )
         );
-        walls.reportImpacts = functions().size();
-        d.hits.reset(new wallHits(mesh_));
         d.system->setWalls(std::move(walls));
         d.periodic = patchWalls::periodic(mesh_);
         if (d.periodic.on())

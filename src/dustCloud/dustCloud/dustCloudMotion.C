@@ -273,7 +273,7 @@ void Foam::dustCloud::settleOutside(const UList<dustParcel*>& outside)
         }
         if (functions().size())
         {
-            dem_->hits->add(p, dem_->now, patchi, p.x());
+            dem_->hits.add(p, dem_->now, patchi, p.x());
         }
         noteEscape(p, patchi);
         giveLast(p);
@@ -385,54 +385,6 @@ void Foam::dustCloud::settleStarts(const UList<dustParcel*>& starting)
 }
 
 
-void Foam::dustCloud::noteHits(const std::vector<dem::WallImpact>& hits)
-{
-    demData& d = *dem_;
-    for (const dem::WallImpact& h : hits)
-    {
-        dustParcel p(d.parcels[h.index]);
-        p.U() = toVector(h.v);
-        p.omega() = toVector(h.omega);
-        p.setX(toVector(d.periodic.wrapped(h.x)));
-        d.hits->add
-        (
-            p,
-            h.time,
-            d.wallPatches[h.patch],
-            p.x() + 0.5*p.d()*toVector(h.n)
-        );
-    }
-}
-
-
-void Foam::dustCloud::tellOfHits()
-{
-    if (!functions().size())
-    {
-        return;
-    }
-    for (dustParcel& p : dem_->hits->take())
-    {
-        const polyPatch& pp = mesh_.boundaryMesh()[p.patch()];
-        #if OPENFOAM >= 2312
-        dustParcel::trackingData td(*this);
-        const bool keep = functions().postPatch(p, pp, td);
-        #else
-        bool keep = true;
-        functions().postPatch(p, pp, keep);
-        #endif
-        if (!keep)
-        {
-            FatalErrorInFunction
-                << "A cloud function wants to remove particle " << p.origProc()
-                << ' ' << p.origId() << " that has touched patch "
-                << pp.name() << ", which is not supported"
-                << exit(FatalError);
-        }
-    }
-}
-
-
 void Foam::dustCloud::motion(dustParcel::trackingData& td)
 {
     demData& d = *dem_;
@@ -480,13 +432,11 @@ void Foam::dustCloud::motion(dustParcel::trackingData& td)
             d.forceSeconds += forcing.seconds();
 
             const stopwatch moving;
-            dem::StepReport report
+            d.gasStep.add(d.system->advance(dt, d.step.left(), begins));
+            d.hits.take
             (
-                d.system->advance(dt, d.step.left(), begins)
+                d.gasStep.wallImpacts, d.parcels, d.wallPatches, d.periodic
             );
-            noteHits(report.wallImpacts);
-            report.wallImpacts.clear();
-            d.gasStep.add(report);
             d.demSeconds += moving.seconds();
         }
         catch (const dem::numericalError& e)
@@ -510,7 +460,7 @@ void Foam::dustCloud::motion(dustParcel::trackingData& td)
     }
     d.totals.add(d.gasStep);
     countEscapes();
-    tellOfHits();
+    d.hits.tell(*this);
 }
 
 

@@ -474,6 +474,8 @@ dem::Walls Foam::patchWalls::New
     addTriangles(walls, mesh, mirrors);
     Info<< endl;
 
+    walls.reportImpacts = properties.subOrEmptyDict("cloudFunctions").size();
+
     return walls;
 }
 

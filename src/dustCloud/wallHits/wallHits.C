@@ -18,6 +18,7 @@ License
     with dustFoam.  If not, see <http://www.gnu.org/licenses/>.
 \*---------------------------------------------------------------------------*/
 
+#include "dustCloudData.H"
 #include "wallHits.H"
 
 #include "nearestWallFaces.H"
@@ -26,14 +27,72 @@ License
 #include "globalIndex.H"
 #include "polyMeshTetDecomposition.H"
 #include "PstreamBuffers.H"
+#include "InjectionModelList.H"
+#include "DispersionModel.H"
+#include "PatchInteractionModel.H"
+#include "StochasticCollisionModel.H"
+#include "SurfaceFilmModel.H"
 
 #include <algorithm>
 #include <tuple>
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- The same list on all ranks, of which each has its own part
+template<class T, class Combine>
+static void complete(List<T>& list, const Combine& combine)
+{
+    Pstream::listCombineGather(list, combine);
+    Pstream::listCombineScatter(list);
+}
+
+
+//- Let face() be this one, with the tetrahedron next to the place
+static void put
+(
+    dustParcel& p,
+    const polyMesh& mesh,
+    const label facei,
+    const point& where
+)
+{
+    const label celli = mesh.faceOwner()[facei];
+    tetIndices tet;
+    pointHit nearest(point::max);
+    nearest.setDistance(GREAT);
+    for
+    (
+        const tetIndices& t
+      : polyMeshTetDecomposition::faceTetIndices(mesh, facei, celli)
+    )
+    {
+        const pointHit candidate(t.faceTri(mesh).nearestPoint(where));
+        if (candidate.distance() < nearest.distance())
+        {
+            nearest = candidate;
+            tet = t;
+        }
+    }
+    p.relocate
+    (
+        startCells::justInside(mesh, nearest.rawPoint(), celli),
+        celli
+    );
+    p.face() = facei;
+    p.tetFace() = tet.face();
+    p.tetPt() = tet.tetPt();
+}
+
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 std::vector<std::pair<Foam::wallHits::hit, Foam::label>>
-Foam::wallHits::atFaces() const
+Foam::wallHits::atFaces(const polyMesh& mesh) const
 {
     std::vector<std::pair<hit, label>> result;
     const globalIndex numbers(label(hits_.size()));
@@ -42,7 +101,6 @@ Foam::wallHits::atFaces() const
         return result;
     }
 
-    // The same lists on all ranks, each with its own part of them
     labelList patches(numbers.size(), labelMin);
     pointField places(numbers.size(), point::max);
     for (label i = 0; i < label(hits_.size()); ++i)
@@ -50,59 +108,51 @@ Foam::wallHits::atFaces() const
         patches[numbers.toGlobal(i)] = hits_[i].patch;
         places[numbers.toGlobal(i)] = hits_[i].where;
     }
-    Pstream::listCombineGather(patches, maxEqOp<label>());
-    Pstream::listCombineScatter(patches);
-    Pstream::listCombineGather(places, minEqOp<point>());
-    Pstream::listCombineScatter(places);
+    complete(patches, maxEqOp<label>());
+    complete(places, minEqOp<point>());
 
-    const labelList face(nearestWallFaces(mesh_, patches, places).face);
+    labelList face(nearestWallFaces(mesh, patches, places).face);
     labelList owner(face.size(), -1);
     forAll(face, i)
     {
         if (face[i] >= 0)
         {
             owner[i] = Pstream::myProcNo();
+            face[i] += mesh.boundaryMesh()[patches[i]].start();
         }
     }
-    Pstream::listCombineGather(owner, maxEqOp<label>());
-    Pstream::listCombineScatter(owner);
+    complete(owner, maxEqOp<label>());
 
-    const auto facei = [&](const label number)
+    List<labelList> away(Pstream::nProcs());
+    for (label i = 0; i < label(hits_.size()); ++i)
     {
-        return mesh_.boundaryMesh()[patches[number]].start() + face[number];
-    };
+        const label number = numbers.toGlobal(i);
+        if (owner[number] == Pstream::myProcNo())
+        {
+            result.push_back({hits_[i], face[number]});
+        }
+        else
+        {
+            away[owner[number]].append(i);
+        }
+    }
     PstreamBuffers buffers(Pstream::commsTypes::nonBlocking);
-    for (label proci = 0; proci < Pstream::nProcs(); ++proci)
+    forAll(away, proci)
     {
-        labelList theirs;
-        for (label i = 0; i < label(hits_.size()); ++i)
-        {
-            if (owner[numbers.toGlobal(i)] == proci)
-            {
-                theirs.append(i);
-            }
-        }
-        if (proci == Pstream::myProcNo())
-        {
-            for (const label i : theirs)
-            {
-                result.push_back({hits_[i], facei(numbers.toGlobal(i))});
-            }
-        }
-        else if (theirs.size())
+        if (away[proci].size())
         {
             UOPstream toOwner(proci, buffers);
-            toOwner << theirs.size();
-            for (const label i : theirs)
+            toOwner << away[proci].size();
+            for (const label i : away[proci])
             {
                 toOwner
                     << numbers.toGlobal(i) << hits_[i].time << hits_[i].parcel;
             }
         }
     }
-
     labelList received;
     buffers.finishedSends(received);
+
     forAll(received, proci)
     {
         if (proci == Pstream::myProcNo() || !received[proci])
@@ -114,60 +164,57 @@ Foam::wallHits::atFaces() const
         {
             const label number = readLabel(fromRank);
             const scalar time = readScalar(fromRank);
-            result.push_back
-            ({
-                {
-                    time, patches[number], places[number],
-                    dustParcel(mesh_, fromRank)
-                },
-                facei(number)
-            });
+            const dustParcel p(mesh, fromRank);
+            const hit h{time, patches[number], places[number], p};
+            result.push_back({h, face[number]});
         }
     }
     return result;
 }
 
 
-void Foam::wallHits::put
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::wallHits::add
 (
-    dustParcel& p,
-    const label facei,
+    const dustParcel& p,
+    const scalar time,
+    const label patchi,
     const point& where
-) const
+)
 {
-    const label celli = mesh_.faceOwner()[facei];
-    tetIndices tet;
-    pointHit nearest(point::max);
-    nearest.setDistance(GREAT);
-    for
-    (
-        const tetIndices& t
-      : polyMeshTetDecomposition::faceTetIndices(mesh_, facei, celli)
-    )
-    {
-        const pointHit candidate(t.faceTri(mesh_).nearestPoint(where));
-        if (candidate.distance() < nearest.distance())
-        {
-            nearest = candidate;
-            tet = t;
-        }
-    }
-    p.relocate
-    (
-        startCells::justInside(mesh_, nearest.rawPoint(), celli),
-        celli
-    );
-    p.face() = facei;
-    p.tetFace() = tet.face();
-    p.tetPt() = tet.tetPt();
+    hits_.push_back({time, patchi, where, p});
 }
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-std::vector<Foam::dustParcel> Foam::wallHits::take()
+void Foam::wallHits::take
+(
+    std::vector<dem::WallImpact>& impacts,
+    const awakeParcels& parcels,
+    const labelUList& patches,
+    const dem::Periodic& periodic
+)
 {
-    std::vector<std::pair<hit, label>> here(atFaces());
+    for (const dem::WallImpact& i : impacts)
+    {
+        dustParcel p(parcels[i.index]);
+        p.U() = toVector(i.v);
+        p.omega() = toVector(i.omega);
+        p.setX(toVector(periodic.wrapped(i.x)));
+        add(p, i.time, patches[i.patch], p.x() + 0.5*p.d()*toVector(i.n));
+    }
+    impacts.clear();
+}
+
+
+void Foam::wallHits::tell(dustCloud& cloud)
+{
+    if (!cloud.functions().size())
+    {
+        return;
+    }
+    const polyMesh& mesh = cloud.mesh();
+    std::vector<std::pair<hit, label>> here(atFaces(mesh));
     hits_.clear();
 
     labelList order(identity(label(here.size())));
@@ -180,14 +227,26 @@ std::vector<Foam::dustParcel> Foam::wallHits::take()
           < std::make_tuple(b.time, b.parcel.origProc(), b.parcel.origId());
     });
 
-    std::vector<dustParcel> result;
     for (const label i : order)
     {
-        const hit& h = here[i].first;
-        result.push_back(h.parcel);
-        put(result.back(), here[i].second, h.where);
+        dustParcel& p = here[i].first.parcel;
+        put(p, mesh, here[i].second, here[i].first.where);
+        const polyPatch& pp = mesh.boundaryMesh()[p.patch()];
+        #if OPENFOAM >= 2312
+        dustParcel::trackingData td(cloud);
+        const bool keep = cloud.functions().postPatch(p, pp, td);
+        #else
+        bool keep = true;
+        cloud.functions().postPatch(p, pp, keep);
+        #endif
+        if (!keep)
+        {
+            FatalErrorInFunction
+                << "A cloud function wants to remove particle " << p.origProc()
+                << ':' << p.origId() << " that has touched patch " << pp.name()
+                << ", which is not supported" << exit(FatalError);
+        }
     }
-    return result;
 }
 
 
