@@ -85,6 +85,7 @@ Usage
 #include "dustKeywords.H"
 #include "dustTime.H"
 #include "gasKeywords.H"
+#include "localIOdictionary.H"
 #include "masterFirst.H"
 #include "modelTable.H"
 #include "resistedMomentum.H"
