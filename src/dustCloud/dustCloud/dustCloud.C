@@ -243,12 +243,13 @@ void Foam::dustCloud::decideCoupling()
         dustKeywords::numberOf(dict, "couplingMassLoading");
 
     // A restart must not change what the run is
-    const dictionary before(outputProperties_.subOrEmptyDict("ledger"));
+    const word coupled(ledgerCheck::entry(outputProperties_, "coupling"));
+    const word gas(ledgerCheck::entry(outputProperties_, "gas"));
     const string asBefore("auto: as before the restart");
 
-    if (d.coupling == "auto" && before.found("coupling"))
+    if (d.coupling == "auto" && coupled.size())
     {
-        twoWay_ = before.get<word>("coupling") == "twoWay";
+        twoWay_ = coupled == "twoWay";
         d.couplingReason = asBefore;
     }
     else if (d.coupling == "auto")
@@ -267,15 +268,12 @@ void Foam::dustCloud::decideCoupling()
     }
 
     // A flow that comes from a solver is not uniform
-    const vector spreads
-    (
-        gMax(U_.primitiveField()) - gMin(U_.primitiveField())
-    );
-    const scalar spread = mag(spreads);
+    const scalar spread =
+        mag(gMax(U_.primitiveField()) - gMin(U_.primitiveField()));
 
-    if (d.gas == "auto" && !twoWay_ && before.found("gas"))
+    if (d.gas == "auto" && !twoWay_ && gas.size())
     {
-        gasFrozen_ = before.get<word>("gas") == "frozen";
+        gasFrozen_ = gas == "frozen";
         d.gasReason = asBefore;
     }
     else if (d.gas == "auto")

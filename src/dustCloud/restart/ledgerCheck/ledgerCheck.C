@@ -198,4 +198,16 @@ void Foam::ledgerCheck::check
 }
 
 
+Foam::word Foam::ledgerCheck::entry
+(
+    const dictionary& outputProperties,
+    const word& keyword
+)
+{
+    const dictionary* ledger = outputProperties.findDict("ledger");
+    return
+        ledger ? ledger->lookupOrDefault<word>(keyword, word::null) : word();
+}
+
+
 // ************************************************************************* //
